@@ -1,0 +1,12 @@
+# txn_options: what every target of the project is compiled with.
+add_library(txn_options INTERFACE)
+target_include_directories(txn_options INTERFACE ${PROJECT_SOURCE_DIR})
+# No errno from sqrt and friends: without this the hot loops do not vectorise.
+target_compile_options(txn_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Werror
+                                             -fno-math-errno -fopenmp-simd)
+if(TXN_SANITIZE)
+  target_compile_options(txn_options INTERFACE -fsanitize=address,undefined
+                                               -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(txn_options INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(txn_options INTERFACE TXN_SANITIZED)
+endif()

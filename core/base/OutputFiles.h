@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace txn {
+
+/// Files that appear together or not at all: each is written under a temporary name beside its
+/// final one, and commit() renames them. Destroyed without commit(), it removes what it wrote, and
+/// existing files stay as they were. Move-only; one thread at a time.
+class OutputFiles {
+  public:
+    OutputFiles() = default;
+    OutputFiles(OutputFiles&& other) noexcept : m_files(std::move(other.m_files)) {
+        other.m_files.clear();
+    }
+    OutputFiles& operator=(OutputFiles&& other) noexcept;
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+    ~OutputFiles() { discard(); }
+
+    /// The temporary path to write to instead of target. It exists, is empty and writable.
+    /// Links are followed, so that the file behind one is replaced and not the link.
+    /// Errors: Unwritable where the folder is missing or not writable, or where target is a folder
+    /// or any other thing that is not a plain file.
+    [[nodiscard]] Result<std::filesystem::path> add(const std::filesystem::path& target);
+
+    /// add() and write the whole text.
+    [[nodiscard]] Result<void> addText(const std::filesystem::path& target, std::string_view text);
+
+    /// Flushes every file to the disk and renames each to its final name.
+    [[nodiscard]] Result<void> commit();
+
+  private:
+    struct File {
+        std::filesystem::path target;
+        std::filesystem::path temporary;
+    };
+    void discard() noexcept;
+    std::vector<File> m_files;
+};
+
+/// 'path' for messages: quoted, with control characters replaced so that it stays on one line.
+[[nodiscard]] std::string quoted(const std::filesystem::path& path);
+
+} // namespace txn
