@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gaussian/Exemplar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace txn {
+
+Result<Exemplar> makeExemplar(Image image, std::string name) {
+    if (image.empty())
+        return Error{ErrorCode::InvalidArgument, "'" + name + "' holds no pixels"};
+    if (image.channels() > Exemplar::kMaxChannels)
+        return Error{ErrorCode::Unsupported,
+                     "'" + name + "' has " + std::to_string(image.channels()) +
+                         " channels; at most " + std::to_string(Exemplar::kMaxChannels) +
+                         " can be used"};
+    const auto samples = image.samples();
+    const auto bad = std::find_if(samples.begin(), samples.end(), [](float v) {
+        return !(std::abs(v) <= Exemplar::kLargestSample); // catches NaN, too
+    });
+    if (bad != samples.end()) {
+        const auto pixel = static_cast<std::size_t>(bad - samples.begin()) % image.size().area();
+        const auto width = static_cast<std::size_t>(image.width());
+        return Error{ErrorCode::Degenerate,
+                     "'" + name + "' has a sample that is not a usable number at x " +
+                         std::to_string(pixel % width) + ", y " + std::to_string(pixel / width) +
+                         "; repair the picture or crop that part away"};
+    }
+    return Exemplar{std::move(image), std::move(name)};
+}
+
+} // namespace txn

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/noise/NoiseGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+namespace txn {
+namespace {
+
+std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
+    return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+bool isFinite(const Texton& texton) {
+    const auto finite = [](auto v) { return std::isfinite(v); };
+    return std::all_of(texton.mean.begin(), texton.mean.end(), finite) &&
+           std::all_of(texton.kernels.begin(), texton.kernels.end(), [&](const Image& kernel) {
+               return std::all_of(kernel.samples().begin(), kernel.samples().end(), finite);
+           });
+}
+
+/// Copies the common part of a tile and the rectangle.
+void copyOverlap(const Image& tile, std::int64_t tileX, std::int64_t tileY, const Rect& rect,
+                 Image& out) {
+    const std::int64_t x0 = std::max(tileX, rect.x);
+    const std::int64_t x1 = std::min(tileX + tile.width(), rect.x + rect.size.width);
+    const std::int64_t y0 = std::max(tileY, rect.y);
+    const std::int64_t y1 = std::min(tileY + tile.height(), rect.y + rect.size.height);
+    for (int c = 0; c < tile.channels(); ++c) {
+        for (std::int64_t y = y0; y < y1; ++y) {
+            const auto from = tile.row(c, static_cast<int>(y - tileY));
+            const auto to = out.row(c, static_cast<int>(y - rect.y));
+            std::copy(from.begin() + (x0 - tileX), from.begin() + (x1 - tileX), to.begin() + (x0 - rect.x));
+        }
+    }
+}
+
+} // namespace
+
+Result<NoiseGrid> NoiseGrid::create(const Texton& texton, const NoiseParams& params, double scale) {
+    if (const auto ok = checkNoiseParams(params); !ok)
+        return ok.error();
+    if (!(scale >= kMinScale && scale <= kMaxScale))
+        return Error{ErrorCode::InvalidArgument, "the scale must be between 1/64 and 64"};
+    if (!isFinite(texton))
+        return Error{ErrorCode::Degenerate, "the texton holds values that are not numbers"};
+    // At exactly one output pixel per exemplar pixel the cheap convolution applies.
+    const bool unit = std::abs(scale - 1.0) < 1e-12;
+    return NoiseGrid(unit ? makeConvolutionEvaluator(texton, params)
+                          : makeScaledEvaluator(texton, params, scale),
+                     texton,
+                     scale);
+}
+
+Result<Image> NoiseGrid::render(const Rect& rect, const CancelToken& cancel) const {
+    if (rect.size.width < 1 || rect.size.height < 1)
+        return Error{ErrorCode::InvalidArgument, "width and height must be at least 1"};
+    const double farthest = NoiseParams::kFarthest * m_scale;
+    const auto inside = [&](std::int64_t start, int length) {
+        return static_cast<double>(start) >= -farthest &&
+               static_cast<double>(start) + length <= farthest;
+    };
+    if (!inside(rect.x, rect.size.width) || !inside(rect.y, rect.size.height))
+        return Error{ErrorCode::InvalidArgument,
+                     "that part of the plane is more than 1e8 exemplar pixels away"};
+
+    Image out(rect.size, m_channels, 0.0F, m_transfer);
+    const Size tile = tileSize();
+    const std::int64_t x0 = floorDivide(rect.x, tile.width);
+    const std::int64_t y0 = floorDivide(rect.y, tile.height);
+    const std::int64_t x1 = floorDivide(rect.x + rect.size.width - 1, tile.width) + 1;
+    const std::int64_t y1 = floorDivide(rect.y + rect.size.height - 1, tile.height) + 1;
+    tbb::enumerable_thread_specific<Image> scratch([&] { return Image(tile, m_channels); });
+    tbb::parallel_for(
+        tbb::blocked_range2d<std::int64_t>(y0, y1, 1, x0, x1, 1), [&](const auto& range) {
+            Image& local = scratch.local();
+            for (auto y = range.rows().begin(); y != range.rows().end(); ++y) {
+                for (auto x = range.cols().begin(); x != range.cols().end(); ++x) {
+                    if (cancel.cancelled())
+                        return;
+                    m_evaluator->evaluate(x, y, local);
+                    copyOverlap(local, x * tile.width, y * tile.height, rect, out);
+                }
+            }
+        });
+    if (cancel.cancelled())
+        return Error{ErrorCode::Cancelled, "cancelled"};
+    return out;
+}
+
+} // namespace txn

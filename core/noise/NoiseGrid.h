@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/CancelToken.h"
+#include "core/base/Result.h"
+#include "core/noise/TileEvaluator.h"
+
+namespace txn {
+
+/// Texton noise on the pixels of the plane. Any rectangle may be asked for, near the origin or far
+/// away; a pixel has the same bits whichever rectangle it is part of and however many threads work.
+/// scale: output pixels per exemplar pixel, 1/64 to 64; pixel n covers [n, n + 1) / scale.
+/// Const members are thread-safe.
+class NoiseGrid {
+  public:
+    static constexpr double kMinScale = 1.0 / 64.0;
+    static constexpr double kMaxScale = 64.0;
+
+    /// Errors: InvalidArgument for parameters or a scale out of range, or coefficients that are not
+    /// finite.
+    [[nodiscard]] static Result<NoiseGrid> create(const Texton& texton, const NoiseParams& params,
+                                                  double scale = 1.0);
+
+    int channels() const { return m_channels; }
+    Transfer transfer() const { return m_transfer; }
+    /// Rectangles of whole tiles cost least. Tile (0, 0) starts at pixel (0, 0).
+    Size tileSize() const { return m_evaluator->tileSize(); }
+
+    /// Errors: InvalidArgument where the rectangle is empty or leaves the plane (1e8 exemplar
+    /// pixels from the origin). Cancelled.
+    [[nodiscard]] Result<Image> render(const Rect& rect, const CancelToken& cancel = {}) const;
+
+  private:
+    NoiseGrid(std::unique_ptr<TileEvaluator> evaluator, const Texton& texton, double scale)
+        : m_evaluator(std::move(evaluator)), m_channels(texton.channels()),
+          m_transfer(texton.transfer), m_scale(scale) {}
+
+    std::unique_ptr<TileEvaluator> m_evaluator;
+    int m_channels;
+    Transfer m_transfer;
+    double m_scale;
+};
+
+} // namespace txn

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/texton/Texton.h"
+
+#include "core/spectral/BSpline.h"
+
+#include <cmath>
+
+namespace txn {
+namespace {
+
+/// plane filtered by the sampled autocorrelation of the B-spline in both directions, zero outside.
+std::vector<double> filtered(std::span<const float> plane, Size size, int order) {
+    const auto b = bsplineAutocorrelation(order);
+    const int reach = static_cast<int>(b.size()) - 1;
+    const auto pass = [&](const std::vector<double>& in, int count, int lines, int step, int jump) {
+        std::vector<double> out(in.size());
+        for (int line = 0; line < lines; ++line) {
+            for (int i = 0; i < count; ++i) {
+                double sum = 0.0;
+                for (int n = std::max(-reach, -i); n <= std::min(reach, count - 1 - i); ++n)
+                    sum += b[static_cast<std::size_t>(std::abs(n))] *
+                           in[static_cast<std::size_t>(line * jump + (i + n) * step)];
+                out[static_cast<std::size_t>(line * jump + i * step)] = sum;
+            }
+        }
+        return out;
+    };
+    const std::vector<double> values(plane.begin(), plane.end());
+    const auto rows = pass(values, size.width, size.height, 1, size.width);
+    return pass(rows, size.height, size.width, size.width, 1);
+}
+
+} // namespace
+
+std::vector<double> noiseCovariance(const Texton& texton) {
+    const auto channels = static_cast<std::size_t>(texton.channels());
+    std::vector<double> covariance(channels * channels, 0.0);
+    for (const Image& kernel : texton.kernels) {
+        for (std::size_t i = 0; i < channels; ++i) {
+            const auto smooth = filtered(kernel.plane(static_cast<int>(i)),
+                                         kernel.size(),
+                                         texton.interpolationOrder);
+            for (std::size_t j = 0; j <= i; ++j) {
+                const auto other = kernel.plane(static_cast<int>(j));
+                double sum = 0.0;
+                for (std::size_t k = 0; k < smooth.size(); ++k)
+                    sum += smooth[k] * other[k];
+                covariance[i * channels + j] += sum;
+                if (j != i)
+                    covariance[j * channels + i] += sum;
+            }
+        }
+    }
+    return covariance;
+}
+
+} // namespace txn
