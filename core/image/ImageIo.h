@@ -51,6 +51,8 @@ struct LoadOptions {
                                             const LoadOptions& options = {});
 
 struct SaveOptions {
+    /// Unset: told by the ending of the name.
+    std::optional<ImageFormat> format;
     /// Unset: 8 bits for PNG, JPEG, TIFF, TGA, BMP, WebP; half for EXR; float for HDR.
     std::optional<SampleFormat> sampleFormat;
     std::vector<std::string> channelNames; ///< empty: Y, RGB or the channel's number

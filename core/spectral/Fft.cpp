@@ -28,21 +28,26 @@ Complex* complexAt(HalfSpectrum& spectrum, int block, int row) {
     return spectrum.block(block).data() + static_cast<std::size_t>(row) * kLanes;
 }
 
-} // namespace
-
-struct FftPlan::State {
+/// Owns one FFTW plan.
+struct Plan {
     fftwf_plan plan = nullptr;
 
-    explicit State(fftwf_plan p) : plan(p) {
+    explicit Plan(fftwf_plan p) : plan(p) {
         if (plan == nullptr)
             throw std::bad_alloc();
     }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() {
+    Plan(const Plan&) = delete;
+    Plan& operator=(const Plan&) = delete;
+    ~Plan() {
         const std::lock_guard lock(plannerMutex());
         fftwf_destroy_plan(plan);
     }
+};
+
+} // namespace
+
+struct FftPlan::State : Plan {
+    using Plan::Plan;
 };
 
 FftPlan::FftPlan(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -169,6 +174,40 @@ void RealFft2d::inverse(HalfSpectrum&& spectrum, std::span<float> plane) const {
                            [scale](float v) { return v * scale; });
         }
     });
+}
+
+struct CosineTransform2d::State {
+    Plan forward;
+    Plan inverse;
+};
+
+CosineTransform2d::CosineTransform2d(Size size) : m_size(size), m_values(size.area()) {
+    const auto plan = [&](fftw_r2r_kind kind) {
+        const std::lock_guard lock(plannerMutex());
+        return fftwf_plan_r2r_2d(size.height,
+                                 size.width,
+                                 m_values.data(),
+                                 m_values.data(),
+                                 kind,
+                                 kind,
+                                 FFTW_ESTIMATE);
+    };
+    m_state.reset(new State{Plan(plan(FFTW_REDFT10)), Plan(plan(FFTW_REDFT01))});
+}
+
+CosineTransform2d::CosineTransform2d(CosineTransform2d&&) noexcept = default;
+CosineTransform2d& CosineTransform2d::operator=(CosineTransform2d&&) noexcept = default;
+CosineTransform2d::~CosineTransform2d() = default;
+
+void CosineTransform2d::forward() {
+    fftwf_execute(m_state->forward.plan);
+}
+
+void CosineTransform2d::inverse() {
+    fftwf_execute(m_state->inverse.plan);
+    const float scale = 1.0F / (4.0F * static_cast<float>(m_size.area()));
+    for (float& v : m_values.span())
+        v *= scale;
 }
 
 } // namespace txn

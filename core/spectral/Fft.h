@@ -110,4 +110,25 @@ class RealFft2d {
     FftPlan m_columnInverse;
 };
 
+/// Cosine transform (DCT-II, unnormalised) of real H x W images: that of the image mirrored at its
+/// borders. inverse() divides by 4 H W, so that it undoes forward(). One thread at a time.
+class CosineTransform2d {
+  public:
+    explicit CosineTransform2d(Size size);
+    CosineTransform2d(CosineTransform2d&&) noexcept;
+    CosineTransform2d& operator=(CosineTransform2d&&) noexcept;
+    ~CosineTransform2d();
+
+    /// The H * W values to transform in place, row-major.
+    std::span<float> values() { return m_values.span(); }
+    void forward();
+    void inverse();
+
+  private:
+    struct State;
+    Size m_size;
+    AlignedBuffer<float> m_values;
+    std::unique_ptr<State> m_state;
+};
+
 } // namespace txn

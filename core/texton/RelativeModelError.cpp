@@ -19,11 +19,7 @@ Result<double> relativeModelError(const GaussianModel& model, const Texton& text
     const SpectralProjection projection(model, texton.interpolationOrder, support);
     if (!(projection.scale() > 0.0))
         return Error{ErrorCode::Degenerate, "the exemplar has no variation"};
-    Image scaled = texton.kernels.front();
-    const auto inverse = static_cast<float>(1.0 / projection.scale());
-    for (float& v : scaled.samples())
-        v *= inverse;
-    return projection.relativeModelError(scaled);
+    return projection.relativeModelError(texton);
 }
 
 } // namespace txn

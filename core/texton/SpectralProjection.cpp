@@ -328,4 +328,13 @@ double SpectralProjection::relativeModelError(const Image& coefficients) const {
     return std::sqrt(std::max(square, 0.0)); // rounding may leave it just below zero
 }
 
+double SpectralProjection::relativeModelError(const Texton& texton) const {
+    assert(texton.kernelCount() == 1);
+    Image scaled = texton.kernels.front();
+    const auto inverse = static_cast<float>(m_scale > 0.0 ? 1.0 / m_scale : 0.0);
+    for (float& v : scaled.samples())
+        v *= inverse;
+    return relativeModelError(scaled);
+}
+
 } // namespace txn

@@ -4,6 +4,7 @@
 #include "core/gaussian/GaussianModel.h"
 #include "core/image/Image.h"
 #include "core/spectral/Fft.h"
+#include "core/texton/Texton.h"
 
 #include <vector>
 
@@ -43,6 +44,8 @@ class SpectralProjection {
     /// z = sqrt(b^) alpha^. [SOT14] after eq. 4; the factor 2 is missing in print.
     /// 0 for a model without variance.
     [[nodiscard]] double relativeModelError(const Image& coefficients) const;
+    /// The same of a texton with one kernel, on the scale of the model.
+    [[nodiscard]] double relativeModelError(const Texton& texton) const;
 
   private:
     struct Scratch;

@@ -120,4 +120,8 @@ double TextonSolver::relativeModelError() const {
     return m_projection.relativeModelError(m_current);
 }
 
+double TextonSolver::relativeModelError(const Texton& texton) const {
+    return m_projection.relativeModelError(texton);
+}
+
 } // namespace txn

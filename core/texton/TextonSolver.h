@@ -42,6 +42,8 @@ class TextonSolver {
 
     /// Of the current coefficients. Costs about half a step.
     [[nodiscard]] double relativeModelError() const;
+    /// Of another texton of the same support, order and channels, such as the colour corrected one.
+    [[nodiscard]] double relativeModelError(const Texton& texton) const;
 
   private:
     TextonSolver(const GaussianModel& model, const TextonParams& params, Image initialNoise);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Commands.h"
+#include "cli/Report.h"
+#include "core/export/Exporter.h"
+#include "core/qa/Comparison.h"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace txn::cli {
+namespace {
+
+struct Options {
+    std::filesystem::path a;
+    std::filesystem::path b;
+    std::optional<int> lag;
+    bool json = false;
+};
+
+Result<Texture> loadTexture(const std::filesystem::path& path) {
+    auto loaded = loadTextonOrImage(path);
+    if (!loaded)
+        return loaded.error();
+    if (auto* asset = std::get_if<TextonAsset>(&*loaded))
+        return Texture(std::move(asset->texton));
+    auto exemplar = makeExemplar(std::move(std::get<LoadedImage>(*loaded).image), path.filename().string());
+    if (!exemplar)
+        return exemplar.error();
+    return Texture(std::move(*exemplar));
+}
+
+Result<void> run(const Options& options) {
+    const auto a = loadTexture(options.a);
+    if (!a)
+        return a.error();
+    const auto b = loadTexture(options.b);
+    if (!b)
+        return b.error();
+    const auto result = compare(*a, *b, options.lag);
+    if (!result)
+        return Error{result.error().code,
+                     "'" + options.a.filename().string() + "' and '" + options.b.filename().string() +
+                         "': " + result.error().message};
+    if (options.json) {
+        nlohmann::ordered_json json;
+        json["a"] = options.a.string();
+        json["b"] = options.b.string();
+        json["mean_a"] = result->meanA;
+        json["mean_b"] = result->meanB;
+        json["mean_difference"] = result->meanDifference;
+        json["covariance_error"] = result->covarianceError;
+        json["lag"] = result->lag;
+        json["autocorrelation_error"] = result->autocovarianceError;
+        json["spectrum_difference_db"] = result->spectrumDifference;
+        json["rme"] = nullptr;
+        if (result->relativeModelError)
+            json["rme"] = *result->relativeModelError;
+        printJson(json);
+        return {};
+    }
+    std::cout << "mean colour differs by     " << shortNumber(result->meanDifference) << '\n'
+              << "colour covariance error    " << shortNumber(result->covarianceError) << '\n'
+              << "autocorrelation error      " << shortNumber(result->autocovarianceError)
+              << " (lags up to " << result->lag << ")\n"
+              << "power spectrum differs by  " << shortNumber(result->spectrumDifference) << " dB\n";
+    if (result->relativeModelError)
+        std::cout << "relative model error       " << shortNumber(*result->relativeModelError) << '\n';
+    return {};
+}
+
+} // namespace
+
+void addCompare(CLI::App& app, Session& session) {
+    auto* command = app.add_subcommand("compare", "Measure how far a texture B is from a texture A");
+    command->footer("Pictures and textons may be mixed; errors are relative to A, 0 is equal.\n"
+                    "Example:\n  texton compare wood.jpg wood_4k.png");
+    auto options = std::make_shared<Options>();
+    command->add_option("A", options->a, "Picture or texton")->required();
+    command->add_option("B", options->b, "Picture or texton")->required();
+    command->add_option("--lag", options->lag, "Compare correlations up to this distance, in pixels (default: 32)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 4096));
+    command->add_flag("--json", options->json, "Print a JSON object instead of text");
+    command->callback([options, &session] {
+        session.run = [options] { return run(*options); };
+    });
+}
+
+} // namespace txn::cli

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Commands.h"
+#include "cli/ExemplarOptions.h"
+#include "cli/Report.h"
+#include "cli/SolveOptions.h"
+#include "core/export/Exporter.h"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace txn::cli {
+namespace {
+
+struct Options {
+    ExemplarOptions exemplar;
+    SolveOptions solve;
+    std::vector<std::filesystem::path> outputs;
+    bool json = false;
+};
+
+Result<void> run(const Options& options, const CancelToken& cancel) {
+    Stopwatch watch;
+    const auto exemplar = loadExemplar(options.exemplar);
+    if (!exemplar)
+        return exemplar.error();
+    const double load = watch.lap();
+    const GaussianModel model(*exemplar, !options.solve.noPeriodic);
+    auto solved = solve(model, options.solve, cancel);
+    if (!solved)
+        return Error{solved.error().code, "'" + exemplar->name + "': " + solved.error().message};
+    const double solving = watch.lap();
+
+    TextonAsset asset;
+    asset.texton = std::move(solved->texton);
+    asset.exemplarName = exemplar->name;
+    asset.seed.value = options.solve.seed;
+    const auto written = saveTexton(asset, options.outputs);
+    if (!written)
+        return written.error();
+    const double writing = watch.lap();
+
+    const Size size = exemplar->image.size();
+    const Size support = asset.texton.support.size();
+    if (options.json) {
+        nlohmann::ordered_json json;
+        json["width"] = size.width;
+        json["height"] = size.height;
+        json["channels"] = exemplar->image.channels();
+        json["support"] = {support.width, support.height};
+        json["shape"] = options.solve.shape;
+        json["order"] = options.solve.order;
+        json["iterations"] = options.solve.iterations;
+        json["momentum"] = options.solve.momentum;
+        json["seed"] = options.solve.seed;
+        json["rme"] = solved->error;
+        json["rme_corrected"] = solved->correctedError;
+        json["seconds"] = {{"load", load}, {"solve", solving}, {"write", writing}};
+        for (const auto& path : *written)
+            json["outputs"].push_back(path.string());
+        printJson(json);
+        return {};
+    }
+    std::cout << exemplar->name << ": " << size.width << " x " << size.height << ", "
+              << exemplar->image.channels() << " channels; texton " << support.width << " x "
+              << support.height << ", relative model error " << shortNumber(solved->error) << " ("
+              << shortNumber(solved->correctedError) << " with corrected colours), "
+              << shortNumber(solving) << " s\n";
+    printWritten(*written);
+    return {};
+}
+
+} // namespace
+
+void addCompute(CLI::App& app, Session& session) {
+    auto* command = app.add_subcommand("compute", "Compute the texton of a material");
+    command->footer("Example:\n  texton compute wood.jpg -o wood.exr -o wood.png --support 96");
+    auto options = std::make_shared<Options>();
+    addExemplarOptions(*command, options->exemplar);
+    command->add_option("-o,--output", options->outputs, "Where to write: .exr, .png or .texton; may be given several times")
+        ->required()
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addSolveOptions(*command, options->solve);
+    command->add_flag("--json", options->json, "Print a JSON object instead of text");
+    command->callback([options, &session] {
+        session.run = [options, &session] { return run(*options, session.cancel); };
+    });
+}
+
+} // namespace txn::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Commands.h"
+#include "core/noise/NoiseParams.h"
+
+namespace txn::cli {
+
+/// Which noise, for `noise` and `sheet`.
+struct NoiseOptions {
+    std::string process = "stratified";
+    std::optional<double> meanImpacts;
+    std::uint32_t seed = 1;
+
+    /// Without a period.
+    NoiseParams params() const;
+};
+
+/// The name of the seed option differs, since `sheet` has one already.
+void addNoiseOptions(CLI::App& app, NoiseOptions& options, const std::string& seedName);
+
+} // namespace txn::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Parse.h"
+
+#include <charconv>
+#include <vector>
+
+namespace txn::cli {
+namespace {
+
+/// Whole numbers between separators, and nothing else.
+std::optional<std::vector<std::int64_t>> numbers(const std::string& text, char separator) {
+    std::vector<std::int64_t> result;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    while (true) {
+        std::int64_t value = 0;
+        const auto [next, error] = std::from_chars(at, end, value);
+        if (error != std::errc())
+            return std::nullopt;
+        result.push_back(value);
+        if (next == end)
+            return result;
+        if (*next != separator)
+            return std::nullopt;
+        at = next + 1;
+    }
+}
+
+bool isSide(std::int64_t value) {
+    return value >= 1 && value <= 1 << 24;
+}
+
+Size toSize(std::int64_t width, std::int64_t height) {
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+} // namespace
+
+std::optional<Size> parseSize(const std::string& text) {
+    if (const auto side = numbers(text, 'x'); side && side->size() == 1 && isSide(side->front()))
+        return toSize(side->front(), side->front());
+    return parseWidthByHeight(text);
+}
+
+std::optional<Size> parseWidthByHeight(const std::string& text) {
+    const auto sides = numbers(text, 'x');
+    if (!sides || sides->size() != 2 || !isSide((*sides)[0]) || !isSide((*sides)[1]))
+        return std::nullopt;
+    return toSize((*sides)[0], (*sides)[1]);
+}
+
+std::optional<Rect> parseRect(const std::string& text) {
+    const auto values = numbers(text, ',');
+    if (!values || values->size() != 4 || !isSide((*values)[2]) || !isSide((*values)[3]))
+        return std::nullopt;
+    return Rect{(*values)[0], (*values)[1], toSize((*values)[2], (*values)[3])};
+}
+
+std::optional<std::pair<std::int64_t, std::int64_t>> parsePoint(const std::string& text) {
+    const auto values = numbers(text, ',');
+    if (!values || values->size() != 2)
+        return std::nullopt;
+    return std::pair((*values)[0], (*values)[1]);
+}
+
+std::optional<SampleFormat> parseDepth(const std::string& text) {
+    if (text == "8")
+        return SampleFormat::UInt8;
+    if (text == "16")
+        return SampleFormat::UInt16;
+    if (text == "half")
+        return SampleFormat::Half;
+    if (text == "float")
+        return SampleFormat::Float;
+    return std::nullopt;
+}
+
+void addDepth(CLI::App& app, SaveOptions& options) {
+    addParsed(app,
+              "--depth",
+              options.sampleFormat,
+              parseDepth,
+              "8|16|half|float",
+              "Bits per sample (default: 8, for EXR half)");
+}
+
+} // namespace txn::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace txn::cli {
+
+double Stopwatch::lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - m_start).count();
+    m_start = now;
+    return seconds;
+}
+
+ProgressBar::ProgressBar(std::string label)
+    : m_label(std::move(label)), m_terminal(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+    if (m_shownPercent >= 0)
+        std::fputs("\r\033[K", stderr);
+}
+
+void ProgressBar::update(double share) {
+    constexpr int kWidth = 30;
+    if (!m_terminal || std::chrono::steady_clock::now() - m_start < std::chrono::seconds(1))
+        return;
+    const int percent = std::clamp(static_cast<int>(share * 100.0), 0, 100);
+    if (percent == m_shownPercent)
+        return;
+    m_shownPercent = percent;
+    const auto filled = static_cast<std::size_t>(percent * kWidth / 100);
+    const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '-');
+    std::fprintf(stderr, "\r%s [%s] %d %%", m_label.c_str(), bar.c_str(), percent);
+    std::fflush(stderr);
+}
+
+void printJson(const nlohmann::ordered_json& json) {
+    // File names may hold bytes that are not UTF-8.
+    std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void printWritten(std::span<const std::filesystem::path> paths) {
+    for (const auto& path : paths)
+        std::cout << "wrote " << path.string() << '\n';
+}
+
+std::string shortNumber(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.4g", value);
+    return buffer;
+}
+
+} // namespace txn::cli

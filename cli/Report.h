@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+namespace txn::cli {
+
+/// Wall time since it was made or last asked.
+class Stopwatch {
+  public:
+    double lap();
+
+  private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+/// A progress bar on standard error: only on a terminal, only for work that takes over a second,
+/// gone when the object is.
+class ProgressBar {
+  public:
+    explicit ProgressBar(std::string label);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    /// share: 0 to 1.
+    void update(double share);
+
+  private:
+    std::string m_label;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+    bool m_terminal;
+    int m_shownPercent = -1;
+};
+
+/// One JSON object on standard output.
+void printJson(const nlohmann::ordered_json& json);
+/// "wrote PATH", a line each, on standard output.
+void printWritten(std::span<const std::filesystem::path> paths);
+
+/// 1234.5 as "1234.5", 0.1234 as "0.1234": four significant digits.
+[[nodiscard]] std::string shortNumber(double value);
+
+} // namespace txn::cli

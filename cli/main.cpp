@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Commands.h"
+#include "core/base/Version.h"
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <new>
+
+namespace {
+
+/// Signal handlers reach nothing but globals.
+txn::CancelSource* interrupt = nullptr;
+
+extern "C" void onInterrupt(int) {
+    interrupt->cancel();
+}
+
+/// Ctrl-C and kill ask the running job to stop, so that it can take its temporary files away.
+void listenForInterrupts(txn::CancelSource& source) {
+    interrupt = &source;
+    struct sigaction action {};
+    action.sa_handler = onInterrupt;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGHUP, &action, nullptr);
+    // A write beyond the file size limit should fail with a message, not kill the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+int fail(std::string message, int code) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::cerr << "texton: " << message << '\n';
+    return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    txn::CancelSource source;
+    listenForInterrupts(source);
+    txn::cli::Session session{source.token(), {}};
+
+    CLI::App app("Textons and endless texture noise from a photograph of a material.", "texton");
+    app.set_version_flag("--version", std::string("Texton Studio ") + txn::kProgramVersion);
+    app.require_subcommand(1);
+    app.footer("Example:\n  texton compute wood.jpg -o wood.exr && "
+               "texton noise wood.exr -o wood_4k.png --size 4096x4096\n"
+               "'texton SUBCOMMAND --help' explains each one.");
+    txn::cli::addCompute(app, session);
+    txn::cli::addNoise(app, session);
+    txn::cli::addGaussian(app, session);
+    txn::cli::addPeriodic(app, session);
+    txn::cli::addSheet(app, session);
+    txn::cli::addCompare(app, session);
+    txn::cli::addInfo(app, session);
+    txn::cli::addSample(app, session);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0)
+            return app.exit(error); // --help and --version
+        return fail(std::string(error.what()) + " (see 'texton --help')", 2);
+    }
+    try {
+        const auto result = session.run();
+        if (result)
+            return 0;
+        if (result.error().code == txn::ErrorCode::Cancelled)
+            return fail("stopped; nothing was written", 1);
+        return fail(result.error().message, 1);
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory; use a smaller picture, size or support", 1);
+    } catch (const std::exception& error) {
+        return fail(std::string("internal error: ") + error.what(), 1);
+    }
+}

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/Exporter.h"
+
+#include "core/base/OutputFiles.h"
+#include "core/export/TextonFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace txn {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kAttributePrefix = "texton:";
+constexpr double kLargestCode = 65535.0;
+/// The code that stands for 0 in a 16-bit file, so that the frame decodes to exactly 0.
+constexpr double kZeroCode = 32768.0;
+
+enum class TextonFormat { Texton, OpenExr, Png };
+
+Result<TextonFormat> formatForPath(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    if (ending == ".texton")
+        return TextonFormat::Texton;
+    if (ending == ".exr")
+        return TextonFormat::OpenExr;
+    if (ending == ".png")
+        return TextonFormat::Png;
+    return Error{ErrorCode::Unsupported,
+                 "cannot tell what to write to " + quoted(path) +
+                     ": a texton is stored as .texton, .exr or .png"};
+}
+
+fs::path sidecarPath(const fs::path& path) {
+    fs::path sidecar = path;
+    sidecar += ".json";
+    return sidecar;
+}
+
+SampleCode identityCode(int channels) {
+    const auto count = static_cast<std::size_t>(channels);
+    return {std::vector<double>(count, 1.0), std::vector<double>(count, 0.0)};
+}
+
+/// Scale and bias under which every coefficient fits into 16 bits and 0 stays 0.
+SampleCode pngCode(const Texton& texton) {
+    SampleCode code;
+    for (int c = 0; c < texton.channels(); ++c) {
+        double least = 0.0;
+        double most = 0.0;
+        for (const Image& kernel : texton.kernels) {
+            const auto [low, high] = std::ranges::minmax(kernel.plane(c));
+            least = std::min(least, static_cast<double>(low));
+            most = std::max(most, static_cast<double>(high));
+        }
+        const double perCode = std::max(-least / kZeroCode, most / (kLargestCode - kZeroCode));
+        const double scale = perCode > 0.0 ? perCode * kLargestCode : 1.0;
+        code.scale.push_back(scale);
+        code.bias.push_back(-scale * kZeroCode / kLargestCode);
+    }
+    return code;
+}
+
+std::string channelName(int channel, int channels) {
+    if (channels == 1)
+        return "Y";
+    if (channels == 3)
+        return std::string(1, "RGB"[channel]);
+    return "ch" + std::to_string(channel);
+}
+
+std::vector<std::string> layerNames(const Texton& texton) {
+    std::vector<std::string> names;
+    for (int q = 0; q < texton.kernelCount(); ++q) {
+        const std::string layer =
+            texton.kernelCount() > 1 ? "kernel" + std::to_string(q) + "." : std::string();
+        for (int c = 0; c < texton.channels(); ++c)
+            names.push_back(layer + channelName(c, texton.channels()));
+    }
+    return names;
+}
+
+/// Calls visit(kernel, channel, x, y, px, py): coefficient (x, y) and its place in the frame.
+template <class Visit>
+void forEachCoefficient(const Texton& texton, int kernels, Visit visit) {
+    const Size support = texton.support.size();
+    for (int q = 0; q < kernels; ++q) {
+        for (int c = 0; c < texton.channels(); ++c) {
+            for (int y = 0; y < support.height; ++y) {
+                for (int x = 0; x < support.width; ++x)
+                    visit(q, c, x, y, x + texton.frame(), y + texton.frame());
+            }
+        }
+    }
+}
+
+Result<void> writeExr(const TextonAsset& asset, const Json& description, const fs::path& path) {
+    const Texton& texton = asset.texton;
+    Image image(texton.footprint(), texton.kernelCount() * texton.channels(), 0.0F, texton.transfer);
+    forEachCoefficient(texton, texton.kernelCount(), [&](int q, int c, int x, int y, int px, int py) {
+        image.at(px, py, q * texton.channels() + c) =
+            texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
+    });
+    SaveOptions options;
+    options.format = ImageFormat::OpenExr;
+    options.sampleFormat = SampleFormat::Float;
+    options.channelNames = layerNames(texton);
+    for (const auto& [key, value] : description.items())
+        options.attributes[std::string(kAttributePrefix) + key] = value.dump();
+    return saveImage(image, path, options);
+}
+
+Result<void> writePng(const TextonAsset& asset, const SampleCode& code, const fs::path& path) {
+    const Texton& texton = asset.texton;
+    if (texton.channels() != 1 && texton.channels() != 3)
+        return Error{ErrorCode::Unsupported,
+                     "a PNG texton holds 1 or 3 channels and this one has " +
+                         std::to_string(texton.channels()) + "; use EXR"};
+    const Size footprint = texton.footprint();
+    Image image({footprint.width, footprint.height * texton.kernelCount()}, texton.channels());
+    for (int c = 0; c < image.channels(); ++c)
+        std::ranges::fill(image.plane(c), static_cast<float>(kZeroCode / kLargestCode));
+    forEachCoefficient(texton, texton.kernelCount(), [&](int q, int c, int x, int y, int px, int py) {
+        const auto i = static_cast<std::size_t>(c);
+        const double value = texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
+        image.at(px, q * footprint.height + py, c) =
+            static_cast<float>((value - code.bias[i]) / code.scale[i]);
+    });
+    SaveOptions options;
+    options.format = ImageFormat::Png;
+    options.sampleFormat = SampleFormat::UInt16;
+    return saveImage(image, path, options);
+}
+
+/// The same error about the file that the user asked for.
+Error inFinalFile(Error error, const fs::path& temporary, const fs::path& path) {
+    const std::string name = quoted(temporary);
+    if (const auto at = error.message.find(name); at != std::string::npos)
+        error.message.replace(at, name.size(), quoted(path));
+    return error;
+}
+
+Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFiles& files) {
+    const auto format = formatForPath(path);
+    if (!format)
+        return format.error();
+    const SampleCode code = *format == TextonFormat::Png
+                                ? pngCode(asset.texton)
+                                : identityCode(asset.texton.channels());
+    const Json description = describe(asset, code);
+    if (*format == TextonFormat::Texton) {
+        const auto text = toTextonFile(asset);
+        if (!text)
+            return text.error();
+        if (const auto ok = files.addText(path, *text); !ok)
+            return ok;
+    } else {
+        const auto temporary = files.add(path);
+        if (!temporary)
+            return temporary.error();
+        const auto ok = *format == TextonFormat::Png ? writePng(asset, code, *temporary)
+                                                     : writeExr(asset, description, *temporary);
+        if (!ok)
+            return inFinalFile(ok.error(), *temporary, path);
+    }
+    return files.addText(sidecarPath(path), description.dump(2) + "\n");
+}
+
+Error inFile(const fs::path& path, const Error& error) {
+    return {error.code, "cannot read " + quoted(path) + ": " + error.message};
+}
+
+Result<std::string> readText(const fs::path& path, std::uintmax_t limit) {
+    std::error_code ec;
+    const auto status = fs::status(path, ec);
+    if (!fs::exists(status))
+        return Error{ErrorCode::NotFound, "there is no file " + quoted(path)};
+    if (!fs::is_regular_file(status))
+        return Error{ErrorCode::Unreadable, quoted(path) + " is not a plain file"};
+    const auto size = fs::file_size(path, ec);
+    if (ec || size > limit)
+        return Error{ErrorCode::TooLarge, quoted(path) + " is too large"};
+    std::ifstream stream(path, std::ios::binary);
+    std::string text(static_cast<std::size_t>(size), '\0');
+    if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+        return Error{ErrorCode::Unreadable, "cannot read " + quoted(path) + "; may you open it?"};
+    return text;
+}
+
+Result<Description> readSidecar(const fs::path& path) {
+    const auto text = readText(sidecarPath(path), std::uintmax_t{1} << 20U);
+    if (!text)
+        return text.error();
+    const auto json = Json::parse(*text, nullptr, false);
+    if (json.is_discarded())
+        return Error{ErrorCode::Unreadable, quoted(sidecarPath(path)) + " is not valid JSON"};
+    auto description = parseDescription(json);
+    if (!description)
+        return inFile(sidecarPath(path), description.error());
+    return description;
+}
+
+/// A support of any shape is told by where the kernels are not zero.
+void restoreMask(Texton& texton) {
+    if (texton.support.shape() != SupportShape::Mask)
+        return;
+    std::vector<std::uint8_t> inside(texton.support.size().area(), 0);
+    for (const Image& kernel : texton.kernels) {
+        for (int c = 0; c < kernel.channels(); ++c) {
+            const auto plane = kernel.plane(c);
+            for (std::size_t i = 0; i < plane.size(); ++i) {
+                if (plane[i] != 0.0F)
+                    inside[i] = 1;
+            }
+        }
+    }
+    if (auto mask = Support::mask(texton.support.size(), std::move(inside)))
+        texton.support = *mask;
+}
+
+Result<TextonAsset> withKernels(Description description, const LoadedImage& loaded,
+                                TextonFormat format, const fs::path& path) {
+    Texton& texton = description.asset.texton;
+    const Image& image = loaded.image;
+    const Size footprint = texton.footprint();
+    const int kernels = description.kernels;
+    const bool png = format == TextonFormat::Png;
+    const Size expected{footprint.width, png ? footprint.height * kernels : footprint.height};
+    const int channels = texton.channels() * (png ? 1 : kernels);
+    if (image.size() != expected || image.channels() != channels)
+        return Error{ErrorCode::Unreadable,
+                     "the picture in " + quoted(path) + " does not match its description"};
+    texton.kernels.assign(static_cast<std::size_t>(kernels),
+                          Image(texton.support.size(), texton.channels(), 0.0F, texton.transfer));
+    // EXR files list their channels by name, in an order of their own.
+    std::vector<int> source(static_cast<std::size_t>(channels));
+    const auto names = layerNames(texton);
+    for (std::size_t i = 0; !png && i < names.size(); ++i) {
+        const auto it = std::ranges::find(loaded.channelNames, names[i]);
+        if (it == loaded.channelNames.end())
+            return Error{ErrorCode::Unreadable,
+                         "the channel '" + names[i] + "' is missing in " + quoted(path)};
+        source[i] = static_cast<int>(it - loaded.channelNames.begin());
+    }
+    bool finite = true;
+    forEachCoefficient(texton, kernels, [&](int q, int c, int x, int y, int px, int py) {
+        const int from = png ? c : source[static_cast<std::size_t>(q * texton.channels() + c)];
+        const double sample = image.at(px, png ? q * footprint.height + py : py, from);
+        const auto i = static_cast<std::size_t>(c);
+        // 16-bit samples are whole codes: rounding undoes the float in between.
+        const double value = png ? (std::round(sample * kLargestCode) / kLargestCode) *
+                                           description.code.scale[i] +
+                                       description.code.bias[i]
+                                 : sample * description.code.scale[i] + description.code.bias[i];
+        finite = finite && std::isfinite(value);
+        texton.kernels[static_cast<std::size_t>(q)].at(x, y, c) = static_cast<float>(value);
+    });
+    if (!finite)
+        return Error{ErrorCode::Unreadable,
+                     quoted(path) + " holds coefficients that are not numbers"};
+    restoreMask(texton);
+    return std::move(description.asset);
+}
+
+/// The description in an EXR header, or nothing for other pictures.
+std::optional<Json> headerDescription(const LoadedImage& loaded) {
+    Json json;
+    for (const auto& [name, value] : loaded.attributes) {
+        if (!name.starts_with(kAttributePrefix))
+            continue;
+        auto parsed = Json::parse(value, nullptr, false);
+        if (!parsed.is_discarded())
+            json[name.substr(kAttributePrefix.size())] = std::move(parsed);
+    }
+    return json.contains("format") ? std::optional(std::move(json)) : std::nullopt;
+}
+
+Result<TextonAsset> loadTextonText(const fs::path& path) {
+    const auto text = readText(path, std::uintmax_t{1} << 31U);
+    if (!text)
+        return text.error();
+    auto asset = fromTextonFile(*text);
+    if (!asset)
+        return inFile(path, asset.error());
+    const auto sidecar = readSidecar(path);
+    if (!sidecar)
+        return asset;
+    const Texton& described = sidecar->asset.texton;
+    Texton& texton = asset->texton;
+    if (described.support.size() == texton.support.size() &&
+        described.interpolationOrder == texton.interpolationOrder) {
+        texton.support = described.support;
+        texton.transfer = described.transfer;
+        texton.kernels.front().setTransfer(described.transfer);
+        restoreMask(texton);
+        asset->process = sidecar->asset.process;
+        asset->meanImpacts = sidecar->asset.meanImpacts;
+        asset->seed = sidecar->asset.seed;
+        asset->exemplarName = sidecar->asset.exemplarName;
+    }
+    return asset;
+}
+
+bool startsLikeTextonText(const fs::path& path) {
+    std::error_code ec;
+    if (!fs::is_regular_file(path, ec))
+        return false; // a pipe would block
+    std::ifstream stream(path, std::ios::binary);
+    std::string start(6, '\0');
+    return stream.read(start.data(), 6) && start == "TEXTON";
+}
+
+} // namespace
+
+Result<std::vector<fs::path>> saveTexton(const TextonAsset& asset,
+                                         std::span<const fs::path> outputs) {
+    OutputFiles files;
+    std::vector<fs::path> written;
+    for (const fs::path& path : outputs) {
+        if (std::ranges::find(written, path) != written.end())
+            return Error{ErrorCode::InvalidArgument, quoted(path) + " is named twice"};
+        if (const auto ok = addOutput(asset, path, files); !ok)
+            return ok.error();
+        written.push_back(path);
+        written.push_back(sidecarPath(path));
+    }
+    if (const auto ok = files.commit(); !ok)
+        return ok.error();
+    return written;
+}
+
+Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path& path,
+                                                                 const LoadOptions& options) {
+    using Loaded = std::variant<TextonAsset, LoadedImage>;
+    const auto asLoaded = [](Result<TextonAsset> asset) -> Result<Loaded> {
+        if (!asset)
+            return asset.error();
+        return Loaded(std::move(*asset));
+    };
+    const auto format = formatForPath(path);
+    if (startsLikeTextonText(path) || (format && *format == TextonFormat::Texton))
+        return asLoaded(loadTextonText(path));
+    auto image = loadImage(path, options);
+    if (!image)
+        return image.error();
+    if (const auto json = headerDescription(*image)) {
+        auto description = parseDescription(*json);
+        if (!description)
+            return inFile(path, description.error());
+        return asLoaded(withKernels(std::move(*description), *image, TextonFormat::OpenExr, path));
+    }
+    std::error_code ec;
+    if (image->format == ImageFormat::Png && fs::exists(sidecarPath(path), ec)) {
+        auto description = readSidecar(path);
+        if (!description)
+            return description.error();
+        return asLoaded(withKernels(std::move(*description), *image, TextonFormat::Png, path));
+    }
+    return Loaded(std::move(*image));
+}
+
+Result<TextonAsset> loadTexton(const fs::path& path) {
+    auto loaded = loadTextonOrImage(path);
+    if (!loaded)
+        return loaded.error();
+    if (auto* asset = std::get_if<TextonAsset>(&*loaded))
+        return std::move(*asset);
+    return Error{ErrorCode::Unreadable,
+                 quoted(path) + " is a picture and not a texton" +
+                     (std::get<LoadedImage>(*loaded).format == ImageFormat::Png
+                          ? "; a PNG texton needs its .json file beside it"
+                          : "; make one with 'texton compute'")};
+}
+
+} // namespace txn

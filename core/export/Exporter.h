@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/TextonAsset.h"
+#include "core/image/ImageIo.h"
+
+#include <filesystem>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace txn {
+
+/// Writes a texton to one or several files, told by their endings: `.texton`, `.exr` (float, without
+/// loss) or `.png` (16 bit), each with a sidecar named like the file plus ".json". All appear
+/// together or none does. Returns the paths, sidecars included.
+/// Errors: Unsupported (ending, or a texton that the format cannot hold); Unwritable.
+[[nodiscard]] Result<std::vector<std::filesystem::path>>
+saveTexton(const TextonAsset& asset, std::span<const std::filesystem::path> outputs);
+
+/// Reads a texton back from any of these files. A PNG needs its sidecar beside it; for a `.texton`
+/// the sidecar, if there is one that fits, adds what the format cannot hold. Errors (naming
+/// the file): NotFound, Unreadable, Unsupported.
+[[nodiscard]] Result<TextonAsset> loadTexton(const std::filesystem::path& path);
+
+/// Reads a texton where the file is one, a picture otherwise.
+[[nodiscard]] Result<std::variant<TextonAsset, LoadedImage>>
+loadTextonOrImage(const std::filesystem::path& path, const LoadOptions& options = {});
+
+} // namespace txn

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sheet/ContactSheet.h"
+
+#include "core/image/ColorTransfer.h"
+#include "core/image/TextLabel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace txn {
+namespace {
+
+constexpr float kGround = 0.169F; // #2b2b2b
+constexpr float kText = 0.902F;   // #e6e6e6
+constexpr int kMargin = 24;
+constexpr int kGap = 16;
+constexpr int kLabelHeight = 18;
+constexpr int kTitleHeight = 24;
+constexpr int kLine = 32; ///< a label with its space
+constexpr int kColumns = 2;
+
+void paste(const Image& picture, int left, int top, Image& sheet) {
+    const Image encoded = toEncoded(picture);
+    for (int c = 0; c < 3; ++c) {
+        const int source = encoded.channels() >= 3 ? c : 0;
+        for (int y = 0; y < encoded.height(); ++y) {
+            const auto from = encoded.row(source, y);
+            std::copy(from.begin(), from.end(), sheet.row(c, top + y).begin() + left);
+        }
+    }
+}
+
+} // namespace
+
+Result<Image> contactSheet(const std::string& title, std::span<const Panel> panels) {
+    Size cell{kTitleHeight * 12, 1};
+    for (const Panel& panel : panels) {
+        cell.width = std::max(cell.width, panel.image.width());
+        cell.height = std::max(cell.height, panel.image.height());
+    }
+    const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
+    const int header = kMargin + kTitleHeight + kGap;
+    const Size size{2 * kMargin + kColumns * cell.width + (kColumns - 1) * kGap,
+                    header + rows * (kLine + cell.height) + (rows - 1) * kGap + kMargin};
+    Image sheet(size, 3, kGround);
+    if (const auto ok =
+            drawText(sheet, kMargin, kMargin + kTitleHeight, kTitleHeight, title, kText);
+        !ok)
+        return ok.error();
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const int column = static_cast<int>(i) % kColumns;
+        const int row = static_cast<int>(i) / kColumns;
+        const int left = kMargin + column * (cell.width + kGap);
+        const int top = header + row * (kLine + cell.height + kGap);
+        if (const auto ok =
+                drawText(sheet, left, top + kLine - 10, kLabelHeight, panels[i].label, kText);
+            !ok)
+            return ok.error();
+        paste(panels[i].image, left, top + kLine, sheet);
+    }
+    return sheet;
+}
+
+Image textonPicture(const Texton& texton, Size limit) {
+    const Size support = texton.support.size();
+    const Size footprint = texton.footprint();
+    const int count = texton.kernelCount();
+    const int gap = count > 1 ? 1 : 0;
+    const Size natural{count * (support.width + gap) - gap, support.height};
+    const int zoom =
+        std::max(1, std::min(limit.width / natural.width, limit.height / natural.height));
+    const double gain = std::sqrt(static_cast<double>(footprint.area()));
+    Image picture({natural.width * zoom, natural.height * zoom}, texton.channels(), 0.0F, texton.transfer);
+    for (int c = 0; c < texton.channels(); ++c) {
+        const double mean = texton.mean[static_cast<std::size_t>(c)];
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const int column = x / zoom;
+                const int q = column / (support.width + gap);
+                const int kx = column % (support.width + gap);
+                const double value =
+                    kx < support.width && q < count
+                        ? gain * texton.kernels[static_cast<std::size_t>(q)].at(kx, y / zoom, c)
+                        : 0.0;
+                picture.at(x, y, c) = static_cast<float>(mean + value);
+            }
+        }
+    }
+    return picture;
+}
+
+} // namespace txn
