@@ -22,8 +22,11 @@ void transform(Plane& plane, Size size, int sign) {
 
 } // namespace
 
-std::vector<double> textbookTexton(const Image& spot, const Image& initialNoise, Size support,
-                                   int interpolationOrder, int iterations) {
+std::vector<double> textbookTexton(const Image& spot,
+                                   const Image& initialNoise,
+                                   Size support,
+                                   int interpolationOrder,
+                                   int iterations) {
     const Size size = spot.size();
     const auto channels = static_cast<std::size_t>(spot.channels());
     const auto bx = bsplineSpectrum(interpolationOrder, size.width);
@@ -66,7 +69,8 @@ std::vector<double> textbookTexton(const Image& spot, const Image& initialNoise,
         for (int y = 0; y < support.height; ++y) {
             for (int x = 0; x < support.width; ++x)
                 result.push_back(
-                    plane[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].real());
+                    plane[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)]
+                        .real());
         }
     }
     return result;

@@ -9,8 +9,8 @@
 
 namespace txn::cli {
 
-/// What the subcommands share with main(): the Ctrl-C flag, and what to do once the command line has
-/// been understood.
+/// What the subcommands share with main(): the Ctrl-C flag, and what to do once the command line
+/// has been understood.
 struct Session {
     CancelToken cancel;
     std::function<Result<void>()> run;

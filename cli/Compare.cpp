@@ -24,7 +24,8 @@ Result<Texture> loadTexture(const std::filesystem::path& path) {
         return loaded.error();
     if (auto* asset = std::get_if<TextonAsset>(&*loaded))
         return Texture(std::move(asset->texton));
-    auto exemplar = makeExemplar(std::move(std::get<LoadedImage>(*loaded).image), path.filename().string());
+    auto exemplar =
+        makeExemplar(std::move(std::get<LoadedImage>(*loaded).image), path.filename().string());
     if (!exemplar)
         return exemplar.error();
     return Texture(std::move(*exemplar));
@@ -40,8 +41,8 @@ Result<void> run(const Options& options) {
     const auto result = compare(*a, *b, options.lag);
     if (!result)
         return Error{result.error().code,
-                     "'" + options.a.filename().string() + "' and '" + options.b.filename().string() +
-                         "': " + result.error().message};
+                     "'" + options.a.filename().string() + "' and '" +
+                         options.b.filename().string() + "': " + result.error().message};
     if (options.json) {
         nlohmann::ordered_json json;
         json["a"] = options.a.string();
@@ -63,28 +64,32 @@ Result<void> run(const Options& options) {
               << "colour covariance error    " << shortNumber(result->covarianceError) << '\n'
               << "autocorrelation error      " << shortNumber(result->autocovarianceError)
               << " (lags up to " << result->lag << ")\n"
-              << "power spectrum differs by  " << shortNumber(result->spectrumDifference) << " dB\n";
+              << "power spectrum differs by  " << shortNumber(result->spectrumDifference)
+              << " dB\n";
     if (result->relativeModelError)
-        std::cout << "relative model error       " << shortNumber(*result->relativeModelError) << '\n';
+        std::cout << "relative model error       " << shortNumber(*result->relativeModelError)
+                  << '\n';
     return {};
 }
 
 } // namespace
 
 void addCompare(CLI::App& app, Session& session) {
-    auto* command = app.add_subcommand("compare", "Measure how far a texture B is from a texture A");
+    auto* command =
+        app.add_subcommand("compare", "Measure how far a texture B is from a texture A");
     command->footer("Pictures and textons may be mixed; errors are relative to A, 0 is equal.\n"
                     "Example:\n  texton compare wood.jpg wood_4k.png");
     auto options = std::make_shared<Options>();
     command->add_option("A", options->a, "Picture or texton")->required();
     command->add_option("B", options->b, "Picture or texton")->required();
-    command->add_option("--lag", options->lag, "Compare correlations up to this distance, in pixels (default: 32)")
+    command
+        ->add_option("--lag",
+                     options->lag,
+                     "Compare correlations up to this distance, in pixels (default: 32)")
         ->type_name("N")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--json", options->json, "Print a JSON object instead of text");
-    command->callback([options, &session] {
-        session.run = [options] { return run(*options); };
-    });
+    command->callback([options, &session] { session.run = [options] { return run(*options); }; });
 }
 
 } // namespace txn::cli

@@ -77,7 +77,10 @@ void addCompute(CLI::App& app, Session& session) {
     command->footer("Example:\n  texton compute wood.jpg -o wood.exr -o wood.png --support 96");
     auto options = std::make_shared<Options>();
     addExemplarOptions(*command, options->exemplar);
-    command->add_option("-o,--output", options->outputs, "Where to write: .exr, .png or .texton; may be given several times")
+    command
+        ->add_option("-o,--output",
+                     options->outputs,
+                     "Where to write: .exr, .png or .texton; may be given several times")
         ->required()
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

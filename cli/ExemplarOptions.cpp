@@ -12,7 +12,9 @@ namespace txn::cli {
 void addExemplarOptions(CLI::App& app, ExemplarOptions& options) {
     app.add_option("EXEMPLAR", options.path, "Picture of the material")->required();
     addParsed(app, "--crop", options.crop, parseRect, "X,Y,W,H", "Use only this part, in pixels");
-    app.add_option("--rotate", options.rotate, "Turn by DEG degrees, counter-clockwise, to straighten grain")
+    app.add_option("--rotate",
+                   options.rotate,
+                   "Turn by DEG degrees, counter-clockwise, to straighten grain")
         ->type_name("DEG");
     app.add_option("--flatten", options.flatten, "Even out lighting smoother than RADIUS pixels")
         ->type_name("RADIUS")

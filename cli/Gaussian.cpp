@@ -41,7 +41,9 @@ Result<void> run(const Options& options) {
 } // namespace
 
 void addGaussian(CLI::App& app, Session& session) {
-    auto* command = app.add_subcommand("gaussian", "Make the Gaussian version of a material: what texton noise converges to");
+    auto* command = app.add_subcommand(
+        "gaussian",
+        "Make the Gaussian version of a material: what texton noise converges to");
     command->footer("Example:\n  texton gaussian wood.jpg -o wood_gaussian.png --size 1024x1024");
     auto options = std::make_shared<Options>();
     addExemplarOptions(*command, options->exemplar);
@@ -49,13 +51,19 @@ void addGaussian(CLI::App& app, Session& session) {
     command->add_option("--model", options->model, "adsn (exactly Gaussian) or rpn (random phase)")
         ->check(CLI::IsMember({"adsn", "rpn"}))
         ->capture_default_str();
-    addParsed(*command, "--size", options->size, parseWidthByHeight, "WxH", "Default: that of the exemplar");
-    command->add_option("--seed", options->seed, "Another number gives another sample")->capture_default_str();
-    command->add_flag("--no-periodic", options->noPeriodic, "The exemplar tiles already: leave its borders alone");
+    addParsed(*command,
+              "--size",
+              options->size,
+              parseWidthByHeight,
+              "WxH",
+              "Default: that of the exemplar");
+    command->add_option("--seed", options->seed, "Another number gives another sample")
+        ->capture_default_str();
+    command->add_flag("--no-periodic",
+                      options->noPeriodic,
+                      "The exemplar tiles already: leave its borders alone");
     addDepth(*command, options->save);
-    command->callback([options, &session] {
-        session.run = [options] { return run(*options); };
-    });
+    command->callback([options, &session] { session.run = [options] { return run(*options); }; });
 }
 
 } // namespace txn::cli

@@ -104,9 +104,7 @@ void addInfo(CLI::App& app, Session& session) {
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->path, "Picture or texton")->required();
     command->add_flag("--json", options->json, "Print a JSON object instead of text");
-    command->callback([options, &session] {
-        session.run = [options] { return run(*options); };
-    });
+    command->callback([options, &session] { session.run = [options] { return run(*options); }; });
 }
 
 } // namespace txn::cli

@@ -38,17 +38,19 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return asset.error();
     NoiseParams params = options.noise.params();
     if (options.tile)
-        params.period = Period{options.size.width / options.scale, options.size.height / options.scale};
+        params.period =
+            Period{options.size.width / options.scale, options.size.height / options.scale};
     const auto grid = NoiseGrid::create(asset->texton, params, options.scale);
     if (!grid)
         return grid.error();
     ProgressBar bar("Making noise");
-    const auto report = bake(*grid,
-                             {options.origin.first, options.origin.second, options.size},
-                             options.output,
-                             options.save,
-                             [&](double share) { bar.update(share); },
-                             cancel);
+    const auto report = bake(
+        *grid,
+        {options.origin.first, options.origin.second, options.size},
+        options.output,
+        options.save,
+        [&](double share) { bar.update(share); },
+        cancel);
     if (!report)
         return report.error();
     const double seconds = watch.lap();
@@ -85,15 +87,24 @@ void addNoise(CLI::App& app, Session& session) {
     auto options = std::make_shared<Options>();
     command->add_option("TEXTON", options->texton, "Texton: .exr, .png or .texton")->required();
     command->add_option("-o,--output", options->output, "Picture to write")->required();
-    addParsed(*command, "--size", options->size, parseWidthByHeight, "WxH", "Size in pixels")->required();
-    addParsed(*command, "--origin", options->origin, parsePoint, "X,Y", "Which part of the endless plane: its top left pixel (default: 0,0)");
+    addParsed(*command, "--size", options->size, parseWidthByHeight, "WxH", "Size in pixels")
+        ->required();
+    addParsed(*command,
+              "--origin",
+              options->origin,
+              parsePoint,
+              "X,Y",
+              "Which part of the endless plane: its top left pixel (default: 0,0)");
     addNoiseOptions(*command, options->noise, "--seed");
     command->add_flag("--tile", options->tile, "Make a picture that repeats without a seam");
     command->add_option("--scale", options->scale, "Output pixels per exemplar pixel")
         ->type_name("S")
         ->check(CLI::Range(NoiseGrid::kMinScale, NoiseGrid::kMaxScale))
         ->capture_default_str();
-    command->add_option("--threads", options->threads, "How many processor cores to use (default: all)")
+    command
+        ->add_option("--threads",
+                     options->threads,
+                     "How many processor cores to use (default: all)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     addDepth(*command, options->save);

@@ -12,10 +12,15 @@ NoiseParams NoiseOptions::params() const {
 }
 
 void addNoiseOptions(CLI::App& app, NoiseOptions& options, const std::string& seedName) {
-    app.add_option("--mni", options.meanImpacts, "Mean number of impacts per pixel: higher is closer to Gaussian (default: 12 for stratified, 30 otherwise)")
+    app.add_option("--mni",
+                   options.meanImpacts,
+                   "Mean number of impacts per pixel: higher is closer to Gaussian (default: 12 "
+                   "for stratified, 30 otherwise)")
         ->type_name("N")
         ->check(CLI::Range(NoiseParams::kMinMeanImpacts, NoiseParams::kMaxMeanImpacts));
-    app.add_option("--process", options.process, "How impacts are scattered: stratified, signed or poisson")
+    app.add_option("--process",
+                   options.process,
+                   "How impacts are scattered: stratified, signed or poisson")
         ->check(CLI::IsMember({"stratified", "signed", "poisson"}))
         ->capture_default_str();
     app.add_option(seedName, options.seed, "Another number gives other noise of the same kind")

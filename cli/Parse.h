@@ -18,14 +18,19 @@ namespace txn::cli {
 /// "X,Y,W,H", the last two at least 1.
 [[nodiscard]] std::optional<Rect> parseRect(const std::string& text);
 /// "X,Y", of either sign.
-[[nodiscard]] std::optional<std::pair<std::int64_t, std::int64_t>> parsePoint(const std::string& text);
+[[nodiscard]] std::optional<std::pair<std::int64_t, std::int64_t>>
+parsePoint(const std::string& text);
 /// "8", "16", "half" or "float".
 [[nodiscard]] std::optional<SampleFormat> parseDepth(const std::string& text);
 
 /// Adds an option whose text is read by parse; anything it refuses is wrong usage.
 template <class Value, class Parse>
-CLI::Option* addParsed(CLI::App& app, const std::string& name, Value& target, Parse parse,
-                       const std::string& form, const std::string& description) {
+CLI::Option* addParsed(CLI::App& app,
+                       const std::string& name,
+                       Value& target,
+                       Parse parse,
+                       const std::string& form,
+                       const std::string& description) {
     return app
         .add_option_function<std::string>(
             name,

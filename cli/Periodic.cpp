@@ -20,7 +20,8 @@ Result<void> run(const Options& options) {
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();
-    if (const auto ok = saveImage(periodicComponent(exemplar->image), options.output, options.save); !ok)
+    if (const auto ok = saveImage(periodicComponent(exemplar->image), options.output, options.save);
+        !ok)
         return ok;
     printWritten({&options.output, 1});
     return {};
@@ -29,15 +30,15 @@ Result<void> run(const Options& options) {
 } // namespace
 
 void addPeriodic(CLI::App& app, Session& session) {
-    auto* command = app.add_subcommand("periodic", "Make the periodic component of a picture: the same without a seam when it repeats");
+    auto* command = app.add_subcommand(
+        "periodic",
+        "Make the periodic component of a picture: the same without a seam when it repeats");
     command->footer("Example:\n  texton periodic wood.jpg -o wood_periodic.png");
     auto options = std::make_shared<Options>();
     addExemplarOptions(*command, options->exemplar);
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addDepth(*command, options->save);
-    command->callback([options, &session] {
-        session.run = [options] { return run(*options); };
-    });
+    command->callback([options, &session] { session.run = [options] { return run(*options); }; });
 }
 
 } // namespace txn::cli

@@ -39,12 +39,16 @@ void addSample(CLI::App& app, Session& session) {
     auto options = std::make_shared<Options>();
     command->add_option("NAME", options->name, "Which material")->required();
     command->add_option("-o,--output", options->output, "Picture to write")->required();
-    addParsed(*command, "--size", options->size, parseWidthByHeight, "WxH", "Size in pixels (default: 512x512)");
-    command->add_option("--seed", options->seed, "Another number gives another piece of it")->capture_default_str();
+    addParsed(*command,
+              "--size",
+              options->size,
+              parseWidthByHeight,
+              "WxH",
+              "Size in pixels (default: 512x512)");
+    command->add_option("--seed", options->seed, "Another number gives another piece of it")
+        ->capture_default_str();
     addDepth(*command, options->save);
-    command->callback([options, &session] {
-        session.run = [options] { return run(*options); };
-    });
+    command->callback([options, &session] { session.run = [options] { return run(*options); }; });
 }
 
 } // namespace txn::cli

@@ -50,7 +50,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     if (!noise)
         return noise.error();
     auto picture = crop(exemplar->image, middle);
-    auto gaussian = crop(sampleGaussian(model, GaussianMethod::Adsn, Seed{options.solve.seed}), middle);
+    auto gaussian =
+        crop(sampleGaussian(model, GaussianMethod::Adsn, Seed{options.solve.seed}), middle);
     if (!picture || !gaussian)
         return picture ? gaussian.error() : picture.error();
     const Size support = solved->texton.support.size();
@@ -59,7 +60,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         {"Gaussian version (ADSN)", std::move(*gaussian)},
         {"Texton, " + text(support) + ", order " + std::to_string(options.solve.order),
          textonPicture(solved->texton, shown)},
-        {"Texton noise, " + options.noise.process + ", MNI " + shortNumber(params.meanImpacts), *noise}};
+        {"Texton noise, " + options.noise.process + ", MNI " + shortNumber(params.meanImpacts),
+         *noise}};
     const auto sheet = contactSheet(exemplar->name, panels);
     if (!sheet)
         return sheet.error();
@@ -72,7 +74,9 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
 } // namespace
 
 void addSheet(CLI::App& app, Session& session) {
-    auto* command = app.add_subcommand("sheet", "Make a contact sheet: exemplar, Gaussian version, texton and noise");
+    auto* command =
+        app.add_subcommand("sheet",
+                           "Make a contact sheet: exemplar, Gaussian version, texton and noise");
     command->footer("Example:\n  texton sheet wood.jpg -o wood_sheet.png");
     auto options = std::make_shared<Options>();
     addExemplarOptions(*command, options->exemplar);

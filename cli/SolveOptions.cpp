@@ -9,11 +9,18 @@
 namespace txn::cli {
 
 void addSolveOptions(CLI::App& app, SolveOptions& options) {
-    addParsed(app, "--support", options.support, parseSize, "N|WxH", "Size of the texton, in pixels (default: 64)");
+    addParsed(app,
+              "--support",
+              options.support,
+              parseSize,
+              "N|WxH",
+              "Size of the texton, in pixels (default: 64)");
     app.add_option("--shape", options.shape, "square (all of the support) or disc")
         ->check(CLI::IsMember({"square", "disc"}))
         ->capture_default_str();
-    app.add_option("--order", options.order, "Interpolation order: 0 nearest, 1 linear, 3 cubic, 5 quintic")
+    app.add_option("--order",
+                   options.order,
+                   "Interpolation order: 0 nearest, 1 linear, 3 cubic, 5 quintic")
         ->check(CLI::IsMember({0, 1, 3, 5}))
         ->capture_default_str();
     app.add_option("--method", options.method, "How the texton is found")
@@ -27,17 +34,22 @@ void addSolveOptions(CLI::App& app, SolveOptions& options) {
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Another number gives another, equally good result")
         ->capture_default_str();
-    app.add_flag("--no-periodic", options.noPeriodic, "The exemplar tiles already: leave its borders alone");
-    app.add_flag("--no-color-correction", options.noColorCorrection, "Leave the colours as the iteration found them");
+    app.add_flag("--no-periodic",
+                 options.noPeriodic,
+                 "The exemplar tiles already: leave its borders alone");
+    app.add_flag("--no-color-correction",
+                 options.noColorCorrection,
+                 "Leave the colours as the iteration found them");
 }
 
-Result<Solved> solve(const GaussianModel& model, const SolveOptions& options,
-                     const CancelToken& cancel) {
+Result<Solved>
+solve(const GaussianModel& model, const SolveOptions& options, const CancelToken& cancel) {
     const bool disc = options.shape == "disc";
     if (disc && options.support.width != options.support.height)
         return Error{ErrorCode::InvalidArgument, "a disc needs one number for --support"};
     TextonParams params;
-    params.support = disc ? Support::disc(options.support.width) : Support::rectangle(options.support);
+    params.support =
+        disc ? Support::disc(options.support.width) : Support::rectangle(options.support);
     params.interpolationOrder = options.order;
     params.iterations = options.iterations;
     params.momentum = options.momentum;

@@ -32,7 +32,7 @@ struct Solved {
 
 /// Runs the solver with a progress bar. Errors: those of TextonSolver; InvalidArgument for a disc
 /// that is not round; Cancelled.
-[[nodiscard]] Result<Solved> solve(const GaussianModel& model, const SolveOptions& options,
-                                   const CancelToken& cancel);
+[[nodiscard]] Result<Solved>
+solve(const GaussianModel& model, const SolveOptions& options, const CancelToken& cancel);
 
 } // namespace txn::cli

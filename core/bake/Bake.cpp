@@ -5,8 +5,11 @@
 
 namespace txn {
 
-Result<BakeReport> bake(const NoiseGrid& noise, const Rect& rect, const std::filesystem::path& path,
-                        const SaveOptions& options, const std::function<void(double)>& progress,
+Result<BakeReport> bake(const NoiseGrid& noise,
+                        const Rect& rect,
+                        const std::filesystem::path& path,
+                        const SaveOptions& options,
+                        const std::function<void(double)>& progress,
                         const CancelToken& cancel) {
     auto writer = ImageWriter::open(path, {rect.size, noise.channels(), noise.transfer()}, options);
     if (!writer)
@@ -32,7 +35,8 @@ Result<BakeReport> bake(const NoiseGrid& noise, const Rect& rect, const std::fil
         return ok.error();
     const double samples =
         static_cast<double>(rect.size.area()) * static_cast<double>(noise.channels());
-    return BakeReport{writer->clips() ? static_cast<double>(writer->clippedSamples()) / samples : 0.0};
+    return BakeReport{writer->clips() ? static_cast<double>(writer->clippedSamples()) / samples
+                                      : 0.0};
 }
 
 } // namespace txn

@@ -21,8 +21,8 @@ class AlignedBuffer {
 
     AlignedBuffer() = default;
     explicit AlignedBuffer(std::size_t count)
-        : m_data(static_cast<T*>(::operator new(std::max<std::size_t>(count, 1) * sizeof(T),
-                                                std::align_val_t{kAlignment}))),
+        : m_data(static_cast<T*>(::operator new (std::max<std::size_t>(count, 1) * sizeof(T),
+                                                 std::align_val_t{kAlignment}))),
           m_size(count) {}
 
     T* data() { return m_data.get(); }
@@ -36,7 +36,7 @@ class AlignedBuffer {
 
   private:
     struct Free {
-        void operator()(T* p) const { ::operator delete(p, std::align_val_t{kAlignment}); }
+        void operator()(T* p) const { ::operator delete (p, std::align_val_t{kAlignment}); }
     };
     std::unique_ptr<T, Free> m_data;
     std::size_t m_size = 0;

@@ -4,7 +4,8 @@
 /// Marks a hot loop of plain arithmetic: compiled once for every x86-64 machine and again for those
 /// with AVX2 and AVX-512, chosen when the program starts. Sanitizers run before that choice can.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(TXN_SANITIZED)
-#define TXN_MULTIVERSION __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
+#define TXN_MULTIVERSION                                                                           \
+    __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
 #else
 #define TXN_MULTIVERSION
 #endif

@@ -103,11 +103,16 @@ void forEachCoefficient(const Texton& texton, int kernels, Visit visit) {
 
 Result<void> writeExr(const TextonAsset& asset, const Json& description, const fs::path& path) {
     const Texton& texton = asset.texton;
-    Image image(texton.footprint(), texton.kernelCount() * texton.channels(), 0.0F, texton.transfer);
-    forEachCoefficient(texton, texton.kernelCount(), [&](int q, int c, int x, int y, int px, int py) {
-        image.at(px, py, q * texton.channels() + c) =
-            texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
-    });
+    Image image(texton.footprint(),
+                texton.kernelCount() * texton.channels(),
+                0.0F,
+                texton.transfer);
+    forEachCoefficient(texton,
+                       texton.kernelCount(),
+                       [&](int q, int c, int x, int y, int px, int py) {
+                           image.at(px, py, q * texton.channels() + c) =
+                               texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
+                       });
     SaveOptions options;
     options.format = ImageFormat::OpenExr;
     options.sampleFormat = SampleFormat::Float;
@@ -127,12 +132,15 @@ Result<void> writePng(const TextonAsset& asset, const SampleCode& code, const fs
     Image image({footprint.width, footprint.height * texton.kernelCount()}, texton.channels());
     for (int c = 0; c < image.channels(); ++c)
         std::ranges::fill(image.plane(c), static_cast<float>(kZeroCode / kLargestCode));
-    forEachCoefficient(texton, texton.kernelCount(), [&](int q, int c, int x, int y, int px, int py) {
-        const auto i = static_cast<std::size_t>(c);
-        const double value = texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
-        image.at(px, q * footprint.height + py, c) =
-            static_cast<float>((value - code.bias[i]) / code.scale[i]);
-    });
+    forEachCoefficient(texton,
+                       texton.kernelCount(),
+                       [&](int q, int c, int x, int y, int px, int py) {
+                           const auto i = static_cast<std::size_t>(c);
+                           const double value =
+                               texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
+                           image.at(px, q * footprint.height + py, c) =
+                               static_cast<float>((value - code.bias[i]) / code.scale[i]);
+                       });
     SaveOptions options;
     options.format = ImageFormat::Png;
     options.sampleFormat = SampleFormat::UInt16;
@@ -151,9 +159,8 @@ Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFil
     const auto format = formatForPath(path);
     if (!format)
         return format.error();
-    const SampleCode code = *format == TextonFormat::Png
-                                ? pngCode(asset.texton)
-                                : identityCode(asset.texton.channels());
+    const SampleCode code = *format == TextonFormat::Png ? pngCode(asset.texton)
+                                                         : identityCode(asset.texton.channels());
     const Json description = describe(asset, code);
     if (*format == TextonFormat::Texton) {
         const auto text = toTextonFile(asset);
@@ -225,8 +232,10 @@ void restoreMask(Texton& texton) {
         texton.support = *mask;
 }
 
-Result<TextonAsset> withKernels(Description description, const LoadedImage& loaded,
-                                TextonFormat format, const fs::path& path) {
+Result<TextonAsset> withKernels(Description description,
+                                const LoadedImage& loaded,
+                                TextonFormat format,
+                                const fs::path& path) {
     Texton& texton = description.asset.texton;
     const Image& image = loaded.image;
     const Size footprint = texton.footprint();
@@ -255,10 +264,10 @@ Result<TextonAsset> withKernels(Description description, const LoadedImage& load
         const double sample = image.at(px, png ? q * footprint.height + py : py, from);
         const auto i = static_cast<std::size_t>(c);
         // 16-bit samples are whole codes: rounding undoes the float in between.
-        const double value = png ? (std::round(sample * kLargestCode) / kLargestCode) *
-                                           description.code.scale[i] +
-                                       description.code.bias[i]
-                                 : sample * description.code.scale[i] + description.code.bias[i];
+        const double value =
+            png ? (std::round(sample * kLargestCode) / kLargestCode) * description.code.scale[i] +
+                      description.code.bias[i]
+                : sample * description.code.scale[i] + description.code.bias[i];
         finite = finite && std::isfinite(value);
         texton.kernels[static_cast<std::size_t>(q)].at(x, y, c) = static_cast<float>(value);
     });

@@ -11,10 +11,10 @@
 
 namespace txn {
 
-/// Writes a texton to one or several files, told by their endings: `.texton`, `.exr` (float, without
-/// loss) or `.png` (16 bit), each with a sidecar named like the file plus ".json". All appear
-/// together or none does. Returns the paths, sidecars included.
-/// Errors: Unsupported (ending, or a texton that the format cannot hold); Unwritable.
+/// Writes a texton to one or several files, told by their endings: `.texton`, `.exr` (float,
+/// without loss) or `.png` (16 bit), each with a sidecar named like the file plus ".json". All
+/// appear together or none does. Returns the paths, sidecars included. Errors: Unsupported (ending,
+/// or a texton that the format cannot hold); Unwritable.
 [[nodiscard]] Result<std::vector<std::filesystem::path>>
 saveTexton(const TextonAsset& asset, std::span<const std::filesystem::path> outputs);
 

@@ -42,7 +42,10 @@ bool readInt(const Json& json, const char* key, long long low, long long high, l
     return value >= low && value <= high;
 }
 
-bool readNumbers(const Json& json, const char* key, std::size_t count, std::vector<double>& values) {
+bool readNumbers(const Json& json,
+                 const char* key,
+                 std::size_t count,
+                 std::vector<double>& values) {
     const auto it = json.find(key);
     if (it == json.end() || !it->is_array() || it->size() != count)
         return false;

@@ -21,8 +21,11 @@ Error broken(const std::string& reason) {
 void append(std::string& text, double value) {
     std::array<char, 32> buffer{};
     // Nine digits tell every float apart from its neighbours.
-    const auto end = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 9);
+    const auto end = std::to_chars(buffer.data(),
+                                   buffer.data() + buffer.size(),
+                                   value,
+                                   std::chars_format::general,
+                                   9);
     text.append(buffer.data(), end.ptr);
 }
 
@@ -50,7 +53,8 @@ class Reader {
         if (digits.starts_with('+'))
             digits.remove_prefix(1);
         Number value{};
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc() || end != digits.data() + digits.size() || digits.empty())
             return std::nullopt;
         return value;

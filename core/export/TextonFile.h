@@ -13,7 +13,8 @@ namespace txn {
 [[nodiscard]] Result<std::string> toTextonFile(const TextonAsset& asset);
 
 /// Reads such a text. The frame is stripped, whatever the order; the format says nothing of the
-/// process, so the defaults apply. Errors: Unreadable, saying what is wrong and, where it helps, in which line.
+/// process, so the defaults apply. Errors: Unreadable, saying what is wrong and, where it helps, in
+/// which line.
 [[nodiscard]] Result<TextonAsset> fromTextonFile(std::string_view text);
 
 } // namespace txn

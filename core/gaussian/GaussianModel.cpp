@@ -63,9 +63,8 @@ void GaussianModel::computeCovariance() {
                 const auto right = spot(j).block(b);
                 double lanes[FftPlan::kLanes] = {};
                 for (std::size_t k = 0; k < left.size(); ++k) {
-                    const double product =
-                        static_cast<double>(left[k].real()) * right[k].real() +
-                        static_cast<double>(left[k].imag()) * right[k].imag();
+                    const double product = static_cast<double>(left[k].real()) * right[k].real() +
+                                           static_cast<double>(left[k].imag()) * right[k].imag();
                     lanes[k % FftPlan::kLanes] += product;
                 }
                 for (int lane = 0; lane < FftPlan::kLanes; ++lane)

@@ -24,8 +24,8 @@ std::vector<float> rampWeights(int length) {
     for (int i = 0; i < length; ++i) {
         const double distance = std::min(i, length - 1 - i) + 0.5;
         if (distance < ramp)
-            weights[static_cast<std::size_t>(i)] = static_cast<float>(
-                0.5 - 0.5 * std::cos(std::numbers::pi * distance / ramp));
+            weights[static_cast<std::size_t>(i)] =
+                static_cast<float>(0.5 - 0.5 * std::cos(std::numbers::pi * distance / ramp));
     }
     return weights;
 }
@@ -108,8 +108,8 @@ Result<GaussianModel> enlarged(const Exemplar& exemplar, Size size, bool periodi
     return GaussianModel(spot, std::move(means));
 }
 
-Result<Image> gaussianVersion(const Exemplar& exemplar, Size size, GaussianMethod method, Seed seed,
-                              bool periodic) {
+Result<Image> gaussianVersion(
+    const Exemplar& exemplar, Size size, GaussianMethod method, Seed seed, bool periodic) {
     if (size.width < 1 || size.height < 1)
         return Error{ErrorCode::InvalidArgument, "width and height must be at least 1"};
     const Size domain = exemplar.image.size();

@@ -17,14 +17,15 @@ enum class GaussianMethod { Adsn, RandomPhase };
 [[nodiscard]] Image sampleGaussian(const GaussianModel& model, GaussianMethod method, Seed seed);
 
 /// The model on a larger domain: the spot in the centre of zeros, its border faded by a smooth
-/// ramp, rescaled to keep the variance ("equivalent spot", [Lec19]). size may not be smaller than the
-/// exemplar in either direction.
-/// Errors: InvalidArgument for a smaller size; TooLarge above 2^28 pixels.
-[[nodiscard]] Result<GaussianModel> enlarged(const Exemplar& exemplar, Size size, bool periodic = true);
+/// ramp, rescaled to keep the variance ("equivalent spot", [Lec19]). size may not be smaller than
+/// the exemplar in either direction. Errors: InvalidArgument for a smaller size; TooLarge above
+/// 2^28 pixels.
+[[nodiscard]] Result<GaussianModel>
+enlarged(const Exemplar& exemplar, Size size, bool periodic = true);
 
 /// A Gaussian version of any size: larger ones through enlarged(), smaller ones are cut out.
 /// Errors: InvalidArgument for sizes below 1; TooLarge above 2^28 pixels.
-[[nodiscard]] Result<Image> gaussianVersion(const Exemplar& exemplar, Size size,
-                                            GaussianMethod method, Seed seed, bool periodic = true);
+[[nodiscard]] Result<Image> gaussianVersion(
+    const Exemplar& exemplar, Size size, GaussianMethod method, Seed seed, bool periodic = true);
 
 } // namespace txn

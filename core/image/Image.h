@@ -34,7 +34,9 @@ class Image {
     void setTransfer(Transfer transfer) { m_transfer = transfer; }
 
     /// All W * H samples of one channel, row after row.
-    std::span<float> plane(int channel) { return {m_samples.data() + offset(channel), m_size.area()}; }
+    std::span<float> plane(int channel) {
+        return {m_samples.data() + offset(channel), m_size.area()};
+    }
     std::span<const float> plane(int channel) const {
         return {m_samples.data() + offset(channel), m_size.area()};
     }

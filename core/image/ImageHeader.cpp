@@ -155,6 +155,7 @@ Result<void> HeaderReader::readPng() {
 
     // Without this walk a file that lost its end but no pixels, or its last checksum, would pass.
     std::uint64_t compressed = 0;
+    bool transparency = false;
     std::uint64_t at = 8;
     while (true) {
         if (!m_bytes.has(at, 12))
@@ -165,11 +166,12 @@ Result<void> HeaderReader::readPng() {
         if (m_bytes.matches(at + 4, "IDAT"sv))
             compressed += length;
         else if (m_bytes.matches(at + 4, "tRNS"sv))
-            m_header.channels += 1;
+            transparency = true;
         else if (m_bytes.matches(at + 4, "IEND"sv))
             break;
         at += length + 12;
     }
+    m_header.channels += transparency ? 1 : 0;
     const std::uint64_t rowBytes = (m_header.width * stored * depth + 7) / 8 + 1;
     const std::uint64_t possible = kDeflateRatio * (compressed + 1);
     if (m_header.height > possible / rowBytes)

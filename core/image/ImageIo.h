@@ -68,8 +68,8 @@ struct SaveOptions {
 /// values and note the transfer in the attribute texton:transfer.
 /// Errors: Unsupported (ending, channel count or sample format that the type cannot hold);
 /// Unwritable. Thread-safe.
-[[nodiscard]] Result<void> saveImage(const Image& image, const std::filesystem::path& path,
-                                     const SaveOptions& options = {});
+[[nodiscard]] Result<void>
+saveImage(const Image& image, const std::filesystem::path& path, const SaveOptions& options = {});
 
 /// Writes an image in bands of rows, from the top down, without ever holding it whole. The file
 /// appears under its name at finish(); a writer that is destroyed before leaves nothing behind.
@@ -83,9 +83,8 @@ class ImageWriter {
     };
 
     /// Same formats, errors and rules as saveImage.
-    [[nodiscard]] static Result<ImageWriter> open(const std::filesystem::path& path,
-                                                  const Layout& layout,
-                                                  const SaveOptions& options = {});
+    [[nodiscard]] static Result<ImageWriter>
+    open(const std::filesystem::path& path, const Layout& layout, const SaveOptions& options = {});
     ImageWriter(ImageWriter&&) noexcept;
     ImageWriter& operator=(ImageWriter&&) noexcept;
     ~ImageWriter();

@@ -10,6 +10,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <new>
 
 namespace txn {

@@ -9,8 +9,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <system_error>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/TextAttributes.h"
 
+#include <algorithm>
+
 namespace txn {
 
 std::string textFromAttributes(const ImageAttributes& attributes) {

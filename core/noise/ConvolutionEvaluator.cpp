@@ -28,8 +28,8 @@ class ConvolutionEvaluator final : public TileEvaluator {
     ConvolutionEvaluator(const Texton& texton, const NoiseParams& params)
         : m_order(texton.interpolationOrder), m_frame(texton.frame()),
           m_channels(texton.channels()), m_kernels(texton.kernelCount()),
-          m_support(texton.support.size()),
-          m_size{transformLength(m_support.width), transformLength(m_support.height)},
+          m_support(texton.support.size()), m_size{transformLength(m_support.width),
+                                                   transformLength(m_support.height)},
           m_blocks(HalfSpectrum::blocksFor(m_size.width)),
           m_impulses(params, texton.footprint(), texton.kernelCount()),
           m_normalization(normalization(texton, m_impulses)),
@@ -47,9 +47,10 @@ class ConvolutionEvaluator final : public TileEvaluator {
                 std::fill(padded.samples().begin(), padded.samples().end(), 0.0F);
                 for (int y = 0; y < m_support.height; ++y) {
                     const auto from = kernel.row(c, y);
-                    std::transform(from.begin(), from.end(), padded.row(0, y).begin(), [&](float v) {
-                        return static_cast<float>(factor * v);
-                    });
+                    std::transform(from.begin(),
+                                   from.end(),
+                                   padded.row(0, y).begin(),
+                                   [&](float v) { return static_cast<float>(factor * v); });
                 }
                 m_kernelSpectra.push_back(fft.forward(padded.plane(0)));
             }
@@ -78,12 +79,12 @@ class ConvolutionEvaluator final : public TileEvaluator {
 
   private:
     struct Scratch {
-        AlignedBuffer<float> splats;          ///< [kernel][H][W]
-        AlignedBuffer<Complex> splatRows;     ///< [kernel][block][H][lane]
-        AlignedBuffer<Complex> channelRows;   ///< [channel][block][H][lane]
-        AlignedBuffer<Complex> line;          ///< one row of a half spectrum
-        AlignedBuffer<float> row;             ///< one row of pixels
-        AlignedBuffer<Complex> columns;       ///< one block: [H][lane]
+        AlignedBuffer<float> splats;        ///< [kernel][H][W]
+        AlignedBuffer<Complex> splatRows;   ///< [kernel][block][H][lane]
+        AlignedBuffer<Complex> channelRows; ///< [channel][block][H][lane]
+        AlignedBuffer<Complex> line;        ///< one row of a half spectrum
+        AlignedBuffer<float> row;           ///< one row of pixels
+        AlignedBuffer<Complex> columns;     ///< one block: [H][lane]
 
         explicit Scratch(const ConvolutionEvaluator& e)
             : splats(static_cast<std::size_t>(e.m_kernels) * e.m_size.area()),
@@ -98,7 +99,8 @@ class ConvolutionEvaluator final : public TileEvaluator {
     std::size_t blockSize() const { return static_cast<std::size_t>(m_size.height) * kLanes; }
     std::size_t spectrumSize() const { return static_cast<std::size_t>(m_blocks) * blockSize(); }
 
-    /// P_q(n) = sum of e_j psi(n - x_j) over the impulses of kernel q, on the pixels from (left, top).
+    /// P_q(n) = sum of e_j psi(n - x_j) over the impulses of kernel q, on the pixels from (left,
+    /// top).
     void splat(std::int64_t left, std::int64_t top, Scratch& scratch) const {
         scratch.splats.fill(0.0F);
         const int width = m_size.width;
@@ -106,27 +108,30 @@ class ConvolutionEvaluator final : public TileEvaluator {
         const double reach = m_order + 2.0;
         const auto x0 = static_cast<double>(left) - m_frame;
         const auto y0 = static_cast<double>(top) - m_frame;
-        m_impulses.visit(
-            x0 - reach, y0 - reach, x0 + width + reach, y0 + height + reach, [&](const Impulse& j) {
-                const auto wx = bsplineWeights(m_order, j.x + m_frame);
-                const auto wy = bsplineWeights(m_order, j.y + m_frame);
-                const long long px = wx.first - left;
-                const long long py = wy.first - top;
-                if (px < -m_order || py < -m_order || px >= width || py >= height)
-                    return;
-                float* plane =
-                    scratch.splats.data() + static_cast<std::size_t>(j.kernel) * m_size.area();
-                for (int v = 0; v <= m_order; ++v) {
-                    if (py + v < 0 || py + v >= height)
-                        continue;
-                    float* row = plane + (py + v) * width;
-                    const float weight = j.sign * wy.weight[v];
-                    for (int u = 0; u <= m_order; ++u) {
-                        if (px + u >= 0 && px + u < width)
-                            row[px + u] += weight * wx.weight[u];
-                    }
-                }
-            });
+        m_impulses.visit(x0 - reach,
+                         y0 - reach,
+                         x0 + width + reach,
+                         y0 + height + reach,
+                         [&](const Impulse& j) {
+                             const auto wx = bsplineWeights(m_order, j.x + m_frame);
+                             const auto wy = bsplineWeights(m_order, j.y + m_frame);
+                             const long long px = wx.first - left;
+                             const long long py = wy.first - top;
+                             if (px < -m_order || py < -m_order || px >= width || py >= height)
+                                 return;
+                             float* plane = scratch.splats.data() +
+                                            static_cast<std::size_t>(j.kernel) * m_size.area();
+                             for (int v = 0; v <= m_order; ++v) {
+                                 if (py + v < 0 || py + v >= height)
+                                     continue;
+                                 float* row = plane + (py + v) * width;
+                                 const float weight = j.sign * wy.weight[v];
+                                 for (int u = 0; u <= m_order; ++u) {
+                                     if (px + u >= 0 && px + u < width)
+                                         row[px + u] += weight * wx.weight[u];
+                                 }
+                             }
+                         });
     }
 
     void forwardRows(const float* pixels, Complex* spectrum, Scratch& scratch) const {
@@ -148,12 +153,15 @@ class ConvolutionEvaluator final : public TileEvaluator {
             m_columnForward.run(scratch.splatRows.data() +
                                 static_cast<std::size_t>(q) * spectrumSize() + at);
         for (int c = 0; c < m_channels; ++c) {
-            Complex* out = scratch.channelRows.data() + static_cast<std::size_t>(c) * spectrumSize() + at;
+            Complex* out =
+                scratch.channelRows.data() + static_cast<std::size_t>(c) * spectrumSize() + at;
             for (int q = 0; q < m_kernels; ++q) {
-                const Complex* splats = scratch.splatRows.data() +
-                                        static_cast<std::size_t>(q) * spectrumSize() + at;
+                const Complex* splats =
+                    scratch.splatRows.data() + static_cast<std::size_t>(q) * spectrumSize() + at;
                 const Complex* kernel =
-                    m_kernelSpectra[static_cast<std::size_t>(q * m_channels + c)].block(block).data();
+                    m_kernelSpectra[static_cast<std::size_t>(q * m_channels + c)]
+                        .block(block)
+                        .data();
                 if (q == 0)
                     multiply(splats, kernel, out, blockSize());
                 else

@@ -40,8 +40,9 @@ struct Impulse {
 }
 
 /// The random impulses of a texton noise, one cell of the plane at a time. A cell has the area
-/// 1 / lambda; everything about it follows from a hash of (cell x, cell y, index, seed), so that any
-/// part of the endless plane can be visited in any order, on any thread or GPU. A regular value.
+/// 1 / lambda; everything about it follows from a hash of (cell x, cell y, index, seed), so that
+/// any part of the endless plane can be visited in any order, on any thread or GPU. A regular
+/// value.
 class ImpulseProcess {
   public:
     /// params: checked by checkNoiseParams. With a period the cells are fitted to it and repeat.

@@ -23,8 +23,8 @@ bool isFinite(const Texton& texton) {
 }
 
 /// Copies the common part of a tile and the rectangle.
-void copyOverlap(const Image& tile, std::int64_t tileX, std::int64_t tileY, const Rect& rect,
-                 Image& out) {
+void copyOverlap(
+    const Image& tile, std::int64_t tileX, std::int64_t tileY, const Rect& rect, Image& out) {
     const std::int64_t x0 = std::max(tileX, rect.x);
     const std::int64_t x1 = std::min(tileX + tile.width(), rect.x + rect.size.width);
     const std::int64_t y0 = std::max(tileY, rect.y);
@@ -33,7 +33,9 @@ void copyOverlap(const Image& tile, std::int64_t tileX, std::int64_t tileY, cons
         for (std::int64_t y = y0; y < y1; ++y) {
             const auto from = tile.row(c, static_cast<int>(y - tileY));
             const auto to = out.row(c, static_cast<int>(y - rect.y));
-            std::copy(from.begin() + (x0 - tileX), from.begin() + (x1 - tileX), to.begin() + (x0 - rect.x));
+            std::copy(from.begin() + (x0 - tileX),
+                      from.begin() + (x1 - tileX),
+                      to.begin() + (x0 - rect.x));
         }
     }
 }
@@ -74,18 +76,18 @@ Result<Image> NoiseGrid::render(const Rect& rect, const CancelToken& cancel) con
     const std::int64_t x1 = floorDivide(rect.x + rect.size.width - 1, tile.width) + 1;
     const std::int64_t y1 = floorDivide(rect.y + rect.size.height - 1, tile.height) + 1;
     tbb::enumerable_thread_specific<Image> scratch([&] { return Image(tile, m_channels); });
-    tbb::parallel_for(
-        tbb::blocked_range2d<std::int64_t>(y0, y1, 1, x0, x1, 1), [&](const auto& range) {
-            Image& local = scratch.local();
-            for (auto y = range.rows().begin(); y != range.rows().end(); ++y) {
-                for (auto x = range.cols().begin(); x != range.cols().end(); ++x) {
-                    if (cancel.cancelled())
-                        return;
-                    m_evaluator->evaluate(x, y, local);
-                    copyOverlap(local, x * tile.width, y * tile.height, rect, out);
-                }
-            }
-        });
+    tbb::parallel_for(tbb::blocked_range2d<std::int64_t>(y0, y1, 1, x0, x1, 1),
+                      [&](const auto& range) {
+                          Image& local = scratch.local();
+                          for (auto y = range.rows().begin(); y != range.rows().end(); ++y) {
+                              for (auto x = range.cols().begin(); x != range.cols().end(); ++x) {
+                                  if (cancel.cancelled())
+                                      return;
+                                  m_evaluator->evaluate(x, y, local);
+                                  copyOverlap(local, x * tile.width, y * tile.height, rect, out);
+                              }
+                          }
+                      });
     if (cancel.cancelled())
         return Error{ErrorCode::Cancelled, "cancelled"};
     return out;

@@ -18,8 +18,8 @@ class NoiseGrid {
 
     /// Errors: InvalidArgument for parameters or a scale out of range, or coefficients that are not
     /// finite.
-    [[nodiscard]] static Result<NoiseGrid> create(const Texton& texton, const NoiseParams& params,
-                                                  double scale = 1.0);
+    [[nodiscard]] static Result<NoiseGrid>
+    create(const Texton& texton, const NoiseParams& params, double scale = 1.0);
 
     int channels() const { return m_channels; }
     Transfer transfer() const { return m_transfer; }

@@ -10,9 +10,9 @@
 namespace txn {
 
 /// How impulses are scattered and weighed. Same covariance for all three.
-/// Stratified: exactly one impulse in each cell, random signs (ours: closest to Gaussian for a given
-/// cost). Signed: Poisson process, random signs ([TN17] section 7). Poisson: Poisson process, all
-/// signs +1, mean subtracted ([TN17] eq. 1, the papers' own).
+/// Stratified: exactly one impulse in each cell, random signs (ours: closest to Gaussian for a
+/// given cost). Signed: Poisson process, random signs ([TN17] section 7). Poisson: Poisson process,
+/// all signs +1, mean subtracted ([TN17] eq. 1, the papers' own).
 enum class NoiseProcess { Stratified, Signed, Poisson };
 
 [[nodiscard]] std::string_view toString(NoiseProcess process);

@@ -94,18 +94,20 @@ class ScaledEvaluator final : public TileEvaluator {
                 axis.begin = i;
             axis.bands.push_back({first, last - first + 1, axis.weights.size()});
             for (int k = first; k <= last; ++k) {
-                const double weight =
-                    m_scale < 1.0
-                        ? m_scale * (bsplineIntegral(order, to - k) - bsplineIntegral(order, from - k))
-                        : bspline(order, from - k);
+                const double weight = m_scale < 1.0 ? m_scale * (bsplineIntegral(order, to - k) -
+                                                                 bsplineIntegral(order, from - k))
+                                                    : bspline(order, from - k);
                 axis.weights.push_back(static_cast<float>(weight));
             }
         }
     }
 
     /// Interpolates the rows that matter along x, then combines them along y into the tile.
-    void add(const Impulse& impulse, const Axis& horizontal, const Axis& vertical,
-             std::vector<float>& rows, Image& tile) const {
+    void add(const Impulse& impulse,
+             const Axis& horizontal,
+             const Axis& vertical,
+             std::vector<float>& rows,
+             Image& tile) const {
         const Image& kernel = m_texton.kernels[static_cast<std::size_t>(impulse.kernel)];
         const int firstRow = vertical.bands.front().first;
         const int lastRow = vertical.bands.back().first + vertical.bands.back().count - 1;
@@ -127,11 +129,11 @@ class ScaledEvaluator final : public TileEvaluator {
             for (const Band& band : vertical.bands) {
                 float* pixels = tile.row(c, y++).data() + horizontal.begin;
                 for (int k = 0; k < band.count; ++k)
-                    addScaled(rows.data() +
-                                  static_cast<std::size_t>(band.first + k - firstRow) * width,
-                              impulse.sign * vertical.weights[band.weights + static_cast<std::size_t>(k)],
-                              pixels,
-                              width);
+                    addScaled(
+                        rows.data() + static_cast<std::size_t>(band.first + k - firstRow) * width,
+                        impulse.sign * vertical.weights[band.weights + static_cast<std::size_t>(k)],
+                        pixels,
+                        width);
             }
         }
     }
@@ -144,8 +146,8 @@ class ScaledEvaluator final : public TileEvaluator {
 
 } // namespace
 
-std::unique_ptr<TileEvaluator> makeScaledEvaluator(const Texton& texton, const NoiseParams& params,
-                                                   double scale) {
+std::unique_ptr<TileEvaluator>
+makeScaledEvaluator(const Texton& texton, const NoiseParams& params, double scale) {
     return std::make_unique<ScaledEvaluator>(texton, params, scale);
 }
 

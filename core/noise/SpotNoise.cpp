@@ -30,8 +30,7 @@ double kernelValue(const Texton& texton, int kernel, int channel, double x, doub
 }
 
 SpotNoise::SpotNoise(Texton texton, const NoiseParams& params)
-    : m_texton(std::move(texton)),
-      m_impulses(params, m_texton.footprint(), m_texton.kernelCount()),
+    : m_texton(std::move(texton)), m_impulses(params, m_texton.footprint(), m_texton.kernelCount()),
       m_normalization(normalization(m_texton, m_impulses)) {}
 
 void SpotNoise::evaluate(double x, double y, std::span<double> out) const {

@@ -29,13 +29,15 @@ int fastLength(int n) {
 class Correlator {
   public:
     Correlator(Size size, int maxLag)
-        : m_size{fastLength(size.width + maxLag), fastLength(size.height + maxLag)}, m_fft(m_size) {}
+        : m_size{fastLength(size.width + maxLag), fastLength(size.height + maxLag)}, m_fft(m_size) {
+    }
 
     void addChannel(std::span<const float> plane, Size size, float offset) {
         std::vector<float> padded(m_size.area(), 0.0F);
         for (int y = 0; y < size.height; ++y) {
-            const auto row = plane.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width),
-                                           static_cast<std::size_t>(size.width));
+            const auto row =
+                plane.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width),
+                              static_cast<std::size_t>(size.width));
             std::transform(row.begin(),
                            row.end(),
                            padded.begin() + static_cast<std::ptrdiff_t>(y) * m_size.width,
@@ -66,9 +68,13 @@ class Correlator {
                     for (int dx = -maxLag; dx <= maxLag; ++dx) {
                         const int x = dx < 0 ? dx + m_size.width : dx;
                         const int y = dy < 0 ? dy + m_size.height : dy;
-                        visit(i, j, dx, dy, static_cast<double>(plane[static_cast<std::size_t>(y) *
-                                                      static_cast<std::size_t>(m_size.width) +
-                                                  static_cast<std::size_t>(x)]));
+                        visit(i,
+                              j,
+                              dx,
+                              dy,
+                              static_cast<double>(plane[static_cast<std::size_t>(y) *
+                                                            static_cast<std::size_t>(m_size.width) +
+                                                        static_cast<std::size_t>(x)]));
                     }
                 }
             }
@@ -83,10 +89,10 @@ class Correlator {
 
 } // namespace
 
-Autocovariance::Autocovariance(int channels, int maxLag)
-    : m_channels(channels), m_maxLag(maxLag) {
+Autocovariance::Autocovariance(int channels, int maxLag) : m_channels(channels), m_maxLag(maxLag) {
     const auto side = static_cast<std::size_t>(2 * maxLag + 1);
-    m_values.resize(static_cast<std::size_t>(channels) * static_cast<std::size_t>(channels) * side * side);
+    m_values.resize(static_cast<std::size_t>(channels) * static_cast<std::size_t>(channels) * side *
+                    side);
 }
 
 std::size_t Autocovariance::index(int i, int j, int dx, int dy) const {

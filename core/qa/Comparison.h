@@ -16,11 +16,11 @@ namespace txn {
 struct Comparison {
     std::vector<double> meanA;
     std::vector<double> meanB;
-    double meanDifference = 0.0;       ///< largest over the channels, in sample values
-    double covarianceError = 0.0;      ///< of the C x C colour covariance, Frobenius norm
-    int lag = 0;                       ///< up to which the next one looks
-    double autocovarianceError = 0.0;  ///< of the C x C covariances at all lags up to lag
-    double spectrumDifference = 0.0;   ///< of the radial power spectra, decibels (root mean square)
+    double meanDifference = 0.0;      ///< largest over the channels, in sample values
+    double covarianceError = 0.0;     ///< of the C x C colour covariance, Frobenius norm
+    int lag = 0;                      ///< up to which the next one looks
+    double autocovarianceError = 0.0; ///< of the C x C covariances at all lags up to lag
+    double spectrumDifference = 0.0;  ///< of the radial power spectra, decibels (root mean square)
     std::optional<double> relativeModelError; ///< where one is a picture and the other a texton
 };
 
@@ -30,7 +30,7 @@ using Texture = std::variant<Exemplar, Texton>;
 /// another transfer than the texton (or than A) is converted to it. Pictures may differ in size.
 /// Errors: SizeMismatch for different channel counts or a lag that does not fit; Degenerate if A
 /// has no variation. Thread-safe.
-[[nodiscard]] Result<Comparison> compare(const Texture& a, const Texture& b,
-                                         std::optional<int> lag = {});
+[[nodiscard]] Result<Comparison>
+compare(const Texture& a, const Texture& b, std::optional<int> lag = {});
 
 } // namespace txn

@@ -59,7 +59,9 @@ RadialSpectrum radialSpectrum(const Texton& texton) {
     for (const Image& kernel : texton.kernels) {
         for (int c = 0; c < kernel.channels(); ++c) {
             for (int y = 0; y < kernel.height(); ++y)
-                std::copy(kernel.row(c, y).begin(), kernel.row(c, y).end(), padded.row(0, y).begin());
+                std::copy(kernel.row(c, y).begin(),
+                          kernel.row(c, y).end(),
+                          padded.row(0, y).begin());
             spectra.push_back(fft.forward(padded.plane(0)));
         }
     }

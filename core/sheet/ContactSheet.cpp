@@ -70,7 +70,10 @@ Image textonPicture(const Texton& texton, Size limit) {
     const int zoom =
         std::max(1, std::min(limit.width / natural.width, limit.height / natural.height));
     const double gain = std::sqrt(static_cast<double>(footprint.area()));
-    Image picture({natural.width * zoom, natural.height * zoom}, texton.channels(), 0.0F, texton.transfer);
+    Image picture({natural.width * zoom, natural.height * zoom},
+                  texton.channels(),
+                  0.0F,
+                  texton.transfer);
     for (int c = 0; c < texton.channels(); ++c) {
         const double mean = texton.mean[static_cast<std::size_t>(c)];
         for (int y = 0; y < picture.height(); ++y) {

@@ -21,8 +21,8 @@ struct Panel {
 /// Errors: Unsupported if the system has no font for the labels.
 [[nodiscard]] Result<Image> contactSheet(const std::string& title, std::span<const Panel> panels);
 
-/// The kernels of a texton as a picture, the way the papers show them: mean plus coefficients at the
-/// contrast of a spot noise of one impact per pixel, kernels side by side, magnified by whole
+/// The kernels of a texton as a picture, the way the papers show them: mean plus coefficients at
+/// the contrast of a spot noise of one impact per pixel, kernels side by side, magnified by whole
 /// factors to fit limit. Values may lie outside [0, 1].
 [[nodiscard]] Image textonPicture(const Texton& texton, Size limit);
 

@@ -79,8 +79,10 @@ std::span<const double> bsplineAutocorrelation(int order) {
     // Values of the B-splines of order 1, 3, 7 and 11 at the integers.
     static constexpr std::array<double, 1> kOrder0{1.0};
     static constexpr std::array<double, 2> kOrder1{2.0 / 3.0, 1.0 / 6.0};
-    static constexpr std::array<double, 4> kOrder3{
-        2416.0 / 5040.0, 1191.0 / 5040.0, 120.0 / 5040.0, 1.0 / 5040.0};
+    static constexpr std::array<double, 4> kOrder3{2416.0 / 5040.0,
+                                                   1191.0 / 5040.0,
+                                                   120.0 / 5040.0,
+                                                   1.0 / 5040.0};
     static constexpr double kElevenFactorial = 39916800.0;
     static constexpr std::array<double, 6> kOrder5{15724248.0 / kElevenFactorial,
                                                    9738114.0 / kElevenFactorial,
@@ -107,8 +109,8 @@ std::vector<double> bsplineSpectrum(int order, int length) {
     for (int k = 0; k < length; ++k) {
         double value = b[0];
         for (std::size_t n = 1; n < b.size(); ++n)
-            value += 2.0 * b[n] *
-                     std::cos(2.0 * std::numbers::pi * k * static_cast<double>(n) / length);
+            value +=
+                2.0 * b[n] * std::cos(2.0 * std::numbers::pi * k * static_cast<double>(n) / length);
         spectrum[static_cast<std::size_t>(k)] = value;
     }
     return spectrum;

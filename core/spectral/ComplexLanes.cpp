@@ -39,7 +39,9 @@ void multiplyRows(const Complex* in, const Complex* factor, Complex* out, std::s
 }
 
 TXN_MULTIVERSION
-void addRowsTimesConjugate(const Complex* in, const Complex* factor, Complex* sum,
+void addRowsTimesConjugate(const Complex* in,
+                           const Complex* factor,
+                           Complex* sum,
                            std::size_t rows) {
     for (std::size_t row = 0; row < rows; ++row) {
         const float* x = reals(in + row * FftPlan::kLanes);
@@ -82,8 +84,12 @@ void multiply(const Complex* a, const Complex* b, Complex* out, std::size_t coun
 }
 
 TXN_MULTIVERSION
-void scalarProducts(const Complex* target, const Complex* values, int channels, std::size_t stride,
-                    Complex* dot, std::size_t count) {
+void scalarProducts(const Complex* target,
+                    const Complex* values,
+                    int channels,
+                    std::size_t stride,
+                    Complex* dot,
+                    std::size_t count) {
     float* d = reals(dot);
     for (std::size_t i = 0; i < 2 * count; ++i)
         d[i] = 0.0F;
@@ -99,8 +105,12 @@ void scalarProducts(const Complex* target, const Complex* values, int channels, 
 }
 
 TXN_MULTIVERSION
-void rotateTarget(const Complex* target, const Complex* dot, Complex* values, int channels,
-                  std::size_t stride, std::size_t count) {
+void rotateTarget(const Complex* target,
+                  const Complex* dot,
+                  Complex* values,
+                  int channels,
+                  std::size_t stride,
+                  std::size_t count) {
     constexpr std::size_t kChunk = 64;
     // Below this the square underflows and the phase means nothing.
     constexpr float kSmallest = std::numeric_limits<float>::min();

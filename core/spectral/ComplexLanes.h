@@ -14,7 +14,9 @@ namespace txn {
 void multiplyRows(const Complex* in, const Complex* factor, Complex* out, std::size_t rows);
 
 /// sum[row] += in[row] * conj(factor[row]).
-void addRowsTimesConjugate(const Complex* in, const Complex* factor, Complex* sum,
+void addRowsTimesConjugate(const Complex* in,
+                           const Complex* factor,
+                           Complex* sum,
                            std::size_t rows);
 
 /// sum += a * b, element by element.
@@ -24,11 +26,19 @@ void multiply(const Complex* a, const Complex* b, Complex* out, std::size_t coun
 
 /// Writes conj(target) . values, summed over channels, to dot. Channel c of both starts c * stride
 /// elements further on.
-void scalarProducts(const Complex* target, const Complex* values, int channels, std::size_t stride,
-                    Complex* dot, std::size_t count);
+void scalarProducts(const Complex* target,
+                    const Complex* values,
+                    int channels,
+                    std::size_t stride,
+                    Complex* dot,
+                    std::size_t count);
 
 /// values[c] = target[c] * dot / |dot|, with phase 1 where dot is 0.
-void rotateTarget(const Complex* target, const Complex* dot, Complex* values, int channels,
-                  std::size_t stride, std::size_t count);
+void rotateTarget(const Complex* target,
+                  const Complex* dot,
+                  Complex* values,
+                  int channels,
+                  std::size_t stride,
+                  std::size_t count);
 
 } // namespace txn

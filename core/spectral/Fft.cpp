@@ -67,8 +67,11 @@ FftPlan FftPlan::realInverse(int length) {
     AlignedBuffer<Complex> in(static_cast<std::size_t>(length / 2 + 1));
     AlignedBuffer<float> out(static_cast<std::size_t>(length));
     const std::lock_guard lock(plannerMutex());
-    return FftPlan(std::make_unique<State>(fftwf_plan_dft_c2r_1d(
-        length, raw(in.data()), out.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT)));
+    return FftPlan(
+        std::make_unique<State>(fftwf_plan_dft_c2r_1d(length,
+                                                      raw(in.data()),
+                                                      out.data(),
+                                                      FFTW_ESTIMATE | FFTW_DESTROY_INPUT)));
 }
 
 namespace {

@@ -54,9 +54,7 @@ class HalfSpectrum {
     Size imageSize() const { return m_size; }
     int columns() const { return m_size.width / 2 + 1; }
     int blocks() const { return blocksFor(m_size.width); }
-    static int blocksFor(int width) {
-        return (width / 2 + FftPlan::kLanes) / FftPlan::kLanes;
-    }
+    static int blocksFor(int width) { return (width / 2 + FftPlan::kLanes) / FftPlan::kLanes; }
 
     std::span<Complex> block(int index) { return {m_data.data() + offset(index), blockSize()}; }
     std::span<const Complex> block(int index) const {
@@ -79,8 +77,7 @@ class HalfSpectrum {
     }
     std::size_t offset(int block) const { return static_cast<std::size_t>(block) * blockSize(); }
     std::size_t position(int row, int column) const {
-        return offset(column / FftPlan::kLanes) +
-               static_cast<std::size_t>(row) * FftPlan::kLanes +
+        return offset(column / FftPlan::kLanes) + static_cast<std::size_t>(row) * FftPlan::kLanes +
                static_cast<std::size_t>(column % FftPlan::kLanes);
     }
 

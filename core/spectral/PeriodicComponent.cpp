@@ -28,7 +28,8 @@ std::vector<DoubleComplex> realDft(const std::vector<float>& values) {
 
 struct Wave {
     double cosine;
-    DoubleComplex jump; ///< 1 - exp(2 pi i k / n): a value at the first sample, its negative at the last
+    DoubleComplex
+        jump; ///< 1 - exp(2 pi i k / n): a value at the first sample, its negative at the last
 };
 
 std::vector<Wave> waves(int length) {
@@ -36,7 +37,8 @@ std::vector<Wave> waves(int length) {
     for (int k = 0; k < length; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / length;
         result[static_cast<std::size_t>(k)] = {std::cos(angle),
-                                               1.0 - DoubleComplex(std::cos(angle), std::sin(angle))};
+                                               1.0 -
+                                                   DoubleComplex(std::cos(angle), std::sin(angle))};
     }
     return result;
 }

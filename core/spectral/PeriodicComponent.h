@@ -9,8 +9,9 @@
 namespace txn {
 
 /// Periodic component p of an image u: the same picture without the jump across its borders when
-/// it is repeated. u = p + s, s smooth; Laplacian of p = interior Laplacian of u; mean(p) = mean(u).
-/// H x W x C in and out, values on the same scale. Moisan 2011; [Lec19] "Avoiding artifacts".
+/// it is repeated. u = p + s, s smooth; Laplacian of p = interior Laplacian of u; mean(p) =
+/// mean(u). H x W x C in and out, values on the same scale. Moisan 2011; [Lec19] "Avoiding
+/// artifacts".
 [[nodiscard]] Image periodicComponent(const Image& image);
 
 /// Replaces the DFT of a plane (H * W values, row-major; any constant may have been added to it) by

@@ -15,8 +15,8 @@ template <class Function>
 Eigen::MatrixXd spectralFunction(const Eigen::MatrixXd& matrix, Function f) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
     const double threshold = kRankTolerance * solver.eigenvalues().cwiseAbs().maxCoeff();
-    const Eigen::VectorXd mapped = solver.eigenvalues().unaryExpr(
-        [&](double v) { return v > threshold ? f(v) : 0.0; });
+    const Eigen::VectorXd mapped =
+        solver.eigenvalues().unaryExpr([&](double v) { return v > threshold ? f(v) : 0.0; });
     return solver.eigenvectors() * mapped.asDiagonal() * solver.eigenvectors().transpose();
 }
 

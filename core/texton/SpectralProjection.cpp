@@ -36,7 +36,9 @@ int shortTransformLength(int length, int minimum) {
         // Operations per output: log2 L for small prime factors, growing with large ones, plus the
         // product with the phase factors on the way in and out.
         const int prime = largestPrimeFactor(candidate);
-        const double transform = std::log2(candidate) * (prime <= 7 ? 1.0 : prime <= 13 ? 1.5 : 4.0);
+        const double transform = std::log2(candidate) * (prime <= 7    ? 1.0
+                                                         : prime <= 13 ? 1.5
+                                                                       : 4.0);
         const double phases = candidate == length ? 0.0 : 1.0 * minimum / candidate;
         if (transform + phases < bestCost) {
             bestCost = transform + phases;
@@ -58,7 +60,8 @@ struct SpectralProjection::Scratch {
           sum(static_cast<std::size_t>(p.m_channels) * p.rowsPerChannel()) {}
 };
 
-SpectralProjection::SpectralProjection(const GaussianModel& model, int interpolationOrder,
+SpectralProjection::SpectralProjection(const GaussianModel& model,
+                                       int interpolationOrder,
                                        Size corner)
     : m_domain(model.domain()), m_corner(corner), m_channels(model.channels()),
       m_blocks(HalfSpectrum::blocksFor(model.domain().width)),
@@ -103,9 +106,9 @@ void SpectralProjection::buildTarget(const GaussianModel& model) {
             for (int c = 0; c < m_channels; ++c) {
                 const auto spot = model.spot(c).block(b);
                 for (int q = 0; q < m_length; ++q) {
-                    const auto row = static_cast<std::size_t>(q) *
-                                         static_cast<std::size_t>(m_residues) +
-                                     static_cast<std::size_t>(s);
+                    const auto row =
+                        static_cast<std::size_t>(q) * static_cast<std::size_t>(m_residues) +
+                        static_cast<std::size_t>(s);
                     for (int lane = 0; lane < kLanes; ++lane, ++out) {
                         const int column = b * kLanes + lane;
                         if (column >= model.spot(c).columns()) {
@@ -114,8 +117,7 @@ void SpectralProjection::buildTarget(const GaussianModel& model) {
                         }
                         const double bHat =
                             m_bHorizontal[static_cast<std::size_t>(column)] * m_bVertical[row];
-                        const Complex value =
-                            spot[row * kLanes + static_cast<std::size_t>(lane)];
+                        const Complex value = spot[row * kLanes + static_cast<std::size_t>(lane)];
                         energy[static_cast<std::size_t>(b)] +=
                             model.spot(c).multiplicity(column) * inverse * inverse *
                             static_cast<double>(std::norm(value));
@@ -133,7 +135,8 @@ AlignedBuffer<Complex> SpectralProjection::forwardRows(const Image& coefficients
     assert(coefficients.size() == m_corner && coefficients.channels() == m_channels);
     AlignedBuffer<Complex> rows(static_cast<std::size_t>(m_blocks) *
                                 static_cast<std::size_t>(m_channels) * rowsPerChannel());
-    const auto total = static_cast<std::size_t>(m_channels) * static_cast<std::size_t>(m_corner.height);
+    const auto total =
+        static_cast<std::size_t>(m_channels) * static_cast<std::size_t>(m_corner.height);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, total, 8), [&](const auto& range) {
         AlignedBuffer<float> line(static_cast<std::size_t>(m_domain.width));
         AlignedBuffer<Complex> out(static_cast<std::size_t>(m_blocks) * kLanes);
@@ -155,7 +158,8 @@ AlignedBuffer<Complex> SpectralProjection::forwardRows(const Image& coefficients
 }
 
 void SpectralProjection::inverseRows(const AlignedBuffer<Complex>& rows, Image& result) const {
-    const auto total = static_cast<std::size_t>(m_channels) * static_cast<std::size_t>(m_corner.height);
+    const auto total =
+        static_cast<std::size_t>(m_channels) * static_cast<std::size_t>(m_corner.height);
     const float scale = 1.0F / static_cast<float>(m_domain.area());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, total, 8), [&](const auto& range) {
         AlignedBuffer<Complex> in(static_cast<std::size_t>(m_blocks) * kLanes);
@@ -176,7 +180,8 @@ void SpectralProjection::inverseRows(const AlignedBuffer<Complex>& rows, Image& 
 }
 
 /// Frequencies residue, residue + H / L, ... of all channels of one block of columns.
-void SpectralProjection::transformResidue(const Complex* rows, int residue,
+void SpectralProjection::transformResidue(const Complex* rows,
+                                          int residue,
                                           Complex* spectrum) const {
     const auto height = static_cast<std::size_t>(m_corner.height);
     for (int c = 0; c < m_channels; ++c) {
@@ -213,11 +218,13 @@ void SpectralProjection::projectBlock(int block, Complex* rows, Scratch& scratch
                      residueSize(),
                      residueSize());
         for (int c = 0; c < m_channels; ++c) {
-            Complex* spectrum = scratch.spectrum.data() + static_cast<std::size_t>(c) * residueSize();
+            Complex* spectrum =
+                scratch.spectrum.data() + static_cast<std::size_t>(c) * residueSize();
             m_columnInverse.run(spectrum);
             addRowsTimesConjugate(spectrum,
                                   m_twiddles.data() + static_cast<std::size_t>(s) * height,
-                                  scratch.sum.data() + static_cast<std::size_t>(c) * rowsPerChannel(),
+                                  scratch.sum.data() +
+                                      static_cast<std::size_t>(c) * rowsPerChannel(),
                                   height);
         }
     }
@@ -274,8 +281,8 @@ Image SpectralProjection::projectFromDomain(const Image& guess) const {
     return result;
 }
 
-SpectralProjection::Sums SpectralProjection::sumBlock(int block, const Complex* rows,
-                                                      Scratch& scratch) const {
+SpectralProjection::Sums
+SpectralProjection::sumBlock(int block, const Complex* rows, Scratch& scratch) const {
     Sums sums;
     for (int s = 0; s < m_residues; ++s) {
         transformResidue(rows, s, scratch.spectrum.data());
@@ -316,8 +323,8 @@ double SpectralProjection::relativeModelError(const Image& coefficients) const {
     std::vector<Sums> partial(static_cast<std::size_t>(m_blocks));
     const std::size_t blockSize = static_cast<std::size_t>(m_channels) * rowsPerChannel();
     tbb::parallel_for(0, m_blocks, [&](int b) {
-        partial[static_cast<std::size_t>(b)] = sumBlock(
-            b, rows.data() + static_cast<std::size_t>(b) * blockSize, scratch.local());
+        partial[static_cast<std::size_t>(b)] =
+            sumBlock(b, rows.data() + static_cast<std::size_t>(b) * blockSize, scratch.local());
     });
     Sums sums;
     for (const Sums& p : partial) {

@@ -17,8 +17,8 @@ namespace txn {
 ///
 /// Only the h rows that are not zero are transformed along x. Along y, frequency k = (H / L) q + s
 /// of a column of h <= L values is frequency q of an L-point transform of the column times
-/// exp(-2 pi i n s / H): H / L short transforms instead of a long one, for the shortest good divisor
-/// L of H, and the full spectrum is never in memory.
+/// exp(-2 pi i n s / H): H / L short transforms instead of a long one, for the shortest good
+/// divisor L of H, and the full spectrum is never in memory.
 ///
 /// Works on the model divided by its root mean square, see scale(). Uses all cores of the calling
 /// task arena, with equal results for any number of them. Const members are thread-safe.

@@ -26,9 +26,9 @@ class Support {
     Size size() const { return m_size; }
     SupportShape shape() const { return m_shape; }
     bool contains(int x, int y) const {
-        return m_inside.empty() || m_inside[static_cast<std::size_t>(y) *
-                                                static_cast<std::size_t>(m_size.width) +
-                                            static_cast<std::size_t>(x)] != 0;
+        return m_inside.empty() ||
+               m_inside[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size.width) +
+                        static_cast<std::size_t>(x)] != 0;
     }
     bool operator==(const Support&) const = default;
 

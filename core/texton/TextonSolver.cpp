@@ -30,8 +30,8 @@ Result<void> check(const GaussianModel& model, const TextonParams& params) {
     if (!(params.momentum >= 0.0 && params.momentum < 1.0))
         return Error{ErrorCode::InvalidArgument, "momentum must be at least 0 and below 1"};
     // Rounding leaves a constant image with some 1e-7 of its mean.
-    const double mean = *std::max_element(
-        model.mean().begin(), model.mean().end(), [](double a, double b) {
+    const double mean =
+        *std::max_element(model.mean().begin(), model.mean().end(), [](double a, double b) {
             return std::abs(a) < std::abs(b);
         });
     const double deviation = std::sqrt(model.covariance().trace() / model.channels());
@@ -51,8 +51,8 @@ Result<TextonSolver> TextonSolver::create(const GaussianModel& model, const Text
                         whiteNoise(params.support.size(), model.channels(), params.seed));
 }
 
-Result<TextonSolver> TextonSolver::create(const GaussianModel& model, const TextonParams& params,
-                                          Image initialNoise) {
+Result<TextonSolver>
+TextonSolver::create(const GaussianModel& model, const TextonParams& params, Image initialNoise) {
     if (const auto ok = check(model, params); !ok)
         return ok.error();
     if (initialNoise.channels() != model.channels() ||
@@ -62,10 +62,10 @@ Result<TextonSolver> TextonSolver::create(const GaussianModel& model, const Text
     return TextonSolver(model, params, std::move(initialNoise));
 }
 
-TextonSolver::TextonSolver(const GaussianModel& model, const TextonParams& params,
+TextonSolver::TextonSolver(const GaussianModel& model,
+                           const TextonParams& params,
                            Image initialNoise)
-    : m_params(params),
-      m_projection(model, params.interpolationOrder, params.support.size()),
+    : m_params(params), m_projection(model, params.interpolationOrder, params.support.size()),
       m_mean(model.mean()), m_transfer(model.transfer()), m_next(std::move(initialNoise)),
       m_current(params.support.size(), model.channels()), m_previous(m_current) {
     if (m_next.size() == params.support.size())
