@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Report.h"
 
+#include "cli/Console.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace txn::cli {
 
@@ -17,11 +18,11 @@ double Stopwatch::lap() {
 }
 
 ProgressBar::ProgressBar(std::string label)
-    : m_label(std::move(label)), m_terminal(::isatty(STDERR_FILENO) == 1) {}
+    : m_label(std::move(label)), m_terminal(errorIsTerminal()) {}
 
 ProgressBar::~ProgressBar() {
     if (m_shownPercent >= 0)
-        std::fputs("\r\033[K", stderr);
+        printError("\r\033[K");
 }
 
 void ProgressBar::update(double share) {
@@ -34,8 +35,7 @@ void ProgressBar::update(double share) {
     m_shownPercent = percent;
     const auto filled = static_cast<std::size_t>(percent * kWidth / 100);
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '-');
-    std::fprintf(stderr, "\r%s [%s] %d %%", m_label.c_str(), bar.c_str(), percent);
-    std::fflush(stderr);
+    printError("\r" + m_label + " [" + bar + "] " + std::to_string(percent) + " %");
 }
 
 void printJson(const nlohmann::ordered_json& json) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Commands.h"
+#include "cli/Console.h"
 #include "core/base/Version.h"
 
 #include <algorithm>
 #include <csignal>
-#include <iostream>
 #include <new>
 
 namespace {
@@ -31,13 +31,14 @@ void listenForInterrupts(txn::CancelSource& source) {
 
 int fail(std::string message, int code) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    std::cerr << "texton: " << message << '\n';
+    txn::cli::printError("texton: " + message + "\n");
     return code;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    txn::cli::hushLibraries();
     txn::CancelSource source;
     listenForInterrupts(source);
     txn::cli::Session session{source.token(), {}};

@@ -56,10 +56,13 @@ OutputFiles& OutputFiles::operator=(OutputFiles&& other) noexcept {
 Result<fs::path> OutputFiles::add(const fs::path& target) {
     std::error_code ec;
     fs::path real = target;
-    if (fs::is_symlink(target, ec)) {
-        real = fs::weakly_canonical(target, ec);
-        if (ec)
-            return unwritable(target, ec.message());
+    // Step by step, since the file behind a link need not exist yet.
+    constexpr int kMostLinks = 40; // as the system itself has it
+    for (int i = 0; fs::is_symlink(real, ec); ++i) {
+        const fs::path next = fs::read_symlink(real, ec);
+        if (ec || i == kMostLinks)
+            return unwritable(target, "it is a link that leads nowhere");
+        real = next.is_absolute() ? next : real.parent_path() / next;
     }
     const auto status = fs::status(real, ec);
     if (fs::is_directory(status))

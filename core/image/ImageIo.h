@@ -43,7 +43,8 @@ struct LoadOptions {
 /// Reads PNG, JPEG, TIFF, EXR, HDR, TGA, BMP or WebP, told by the content, not by the name.
 /// Palette, grey, RGB, RGBA, 8 and 16 bit, half, float; integers become [0, 1]; EXIF orientation is
 /// applied; embedded ICC profiles are converted to sRGB; an EXR data window becomes the image. HDR
-/// and EXR are Linear unless their attribute texton:transfer says "encoded"; the rest is Encoded.
+/// and EXR are Linear unless their attribute texton:transfer says "encoded"; the rest is Encoded,
+/// unless a float TIFF says "linear".
 /// Errors (message names the file): NotFound; Unreadable for folders, pipes, other or broken or
 /// truncated files, also when the decoder gives pixels and reports the damage afterwards; TooLarge.
 /// Thread-safe. NaN and infinite samples are passed on: makeExemplar refuses them.

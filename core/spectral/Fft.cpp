@@ -182,6 +182,8 @@ void RealFft2d::inverse(HalfSpectrum&& spectrum, std::span<float> plane) const {
 struct CosineTransform2d::State {
     Plan forward;
     Plan inverse;
+
+    State(fftwf_plan f, fftwf_plan i) : forward(f), inverse(i) {}
 };
 
 CosineTransform2d::CosineTransform2d(Size size) : m_size(size), m_values(size.area()) {
@@ -195,7 +197,7 @@ CosineTransform2d::CosineTransform2d(Size size) : m_size(size), m_values(size.ar
                                  kind,
                                  FFTW_ESTIMATE);
     };
-    m_state.reset(new State{Plan(plan(FFTW_REDFT10)), Plan(plan(FFTW_REDFT01))});
+    m_state = std::make_unique<State>(plan(FFTW_REDFT10), plan(FFTW_REDFT01));
 }
 
 CosineTransform2d::CosineTransform2d(CosineTransform2d&&) noexcept = default;

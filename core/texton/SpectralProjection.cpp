@@ -245,6 +245,7 @@ Image SpectralProjection::projectFromDomain(const Image& guess) const {
     assert(guess.size() == m_domain && guess.channels() == m_channels);
     const RealFft2d fft(m_domain);
     std::vector<HalfSpectrum> spectra;
+    spectra.reserve(static_cast<std::size_t>(m_channels));
     for (int c = 0; c < m_channels; ++c)
         spectra.push_back(fft.forward(guess.plane(c)));
     tbb::enumerable_thread_specific<Scratch> scratch([this] { return Scratch(*this); });

@@ -15,12 +15,15 @@ std::vector<double> filtered(std::span<const float> plane, Size size, int order)
     const auto pass = [&](const std::vector<double>& in, int count, int lines, int step, int jump) {
         std::vector<double> out(in.size());
         for (int line = 0; line < lines; ++line) {
+            const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(line) * jump;
+            const auto at = [&](int i) {
+                return static_cast<std::size_t>(start + static_cast<std::ptrdiff_t>(i) * step);
+            };
             for (int i = 0; i < count; ++i) {
                 double sum = 0.0;
                 for (int n = std::max(-reach, -i); n <= std::min(reach, count - 1 - i); ++n)
-                    sum += b[static_cast<std::size_t>(std::abs(n))] *
-                           in[static_cast<std::size_t>(line * jump + (i + n) * step)];
-                out[static_cast<std::size_t>(line * jump + i * step)] = sum;
+                    sum += b[static_cast<std::size_t>(std::abs(n))] * in[at(i + n)];
+                out[at(i)] = sum;
             }
         }
         return out;

@@ -43,9 +43,9 @@ struct Reference {
 
 const char* const kFolders[] = {"synthetic_49x65_support13", "synthetic_72x54_support16"};
 
-/// What single precision leaves after so many plain iterations. Measured: at most 1e-6 after 1, 4e-6
-/// after 5, 3e-5 after 50, where phases of tiny scalar products wander. Five times that here, since
-/// other processors round elsewhere.
+/// What single precision leaves after so many plain iterations. Measured: at most 1e-6 after 1,
+/// 4e-6 after 5, 3e-5 after 50, where phases of tiny scalar products wander. Five times that here,
+/// since other processors round elsewhere.
 double coefficientTolerance(int iterations) {
     return iterations <= 1 ? 5e-6 : iterations <= 5 ? 2e-5 : 1.5e-4;
 }
@@ -68,7 +68,8 @@ class TestReference : public QObject {
         const Reference reference(folder);
         const Image result = periodicComponent(reference.domainImage("exemplar.f64"));
         // Values in [0, 1]: a few roundings of single precision.
-        TXN_AT_MOST(largestDifference(arrayFromImage(result), reference.array("periodic.f64")), 1e-6);
+        TXN_AT_MOST(largestDifference(arrayFromImage(result), reference.array("periodic.f64")),
+                    1e-6);
     }
 
     void textonAgrees_data() {
@@ -79,8 +80,8 @@ class TestReference : public QObject {
             QCOMPARE(static_cast<int>(cases.size()), 12);
             for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
                 const auto& entry = cases[static_cast<std::size_t>(i)];
-                const QString tag = QString("%1 %2").arg(
-                    folder, QString::fromStdString(entry.at("coefficients")));
+                const QString tag =
+                    QString("%1 %2").arg(folder, QString::fromStdString(entry.at("coefficients")));
                 QTest::newRow(qPrintable(tag)) << QString(folder) << i;
             }
         }
@@ -132,8 +133,10 @@ class TestReference : public QObject {
     void discsHaveTheSameSamples() {
         QFETCH(QString, folder);
         const Reference reference(folder);
-        const Image coefficients = imageFromArray(
-            reference.array("coefficients_disc_order1_it50.f64"), {reference.side, reference.side}, 3);
+        const Image coefficients =
+            imageFromArray(reference.array("coefficients_disc_order1_it50.f64"),
+                           {reference.side, reference.side},
+                           3);
         QVERIFY(!coefficients.empty());
         const Support disc = Support::disc(reference.side);
         for (int y = 0; y < reference.side; ++y) {
@@ -160,8 +163,9 @@ class TestReference : public QObject {
         texton.interpolationOrder = entry.at("order");
         texton.support = Support::rectangle({reference.side, reference.side});
         texton.mean.assign(static_cast<std::size_t>(reference.channels), 0.0);
-        texton.kernels.push_back(imageFromArray(
-            reference.array(entry.at("coefficients")), texton.support.size(), reference.channels));
+        texton.kernels.push_back(imageFromArray(reference.array(entry.at("coefficients")),
+                                                texton.support.size(),
+                                                reference.channels));
         QVERIFY(!texton.kernels.front().empty());
 
         const auto impulses = reference.array("impulses.f64");
@@ -181,8 +185,8 @@ class TestReference : public QObject {
                 sums.push_back(sum);
             }
         }
-        const auto expected = reference.array(
-            "kernel_sum_order" + std::to_string(texton.interpolationOrder) + ".f64");
+        const auto expected = reference.array("kernel_sum_order" +
+                                              std::to_string(texton.interpolationOrder) + ".f64");
         // Coefficients and weights are rounded to single precision.
         TXN_AT_MOST(relativeError(sums, expected), 1e-6);
     }

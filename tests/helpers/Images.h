@@ -31,8 +31,9 @@ inline Image texturedImage(Size size, int channels, std::uint64_t seed) {
         for (int x = 0; x < size.width; ++x) {
             const double shared = random.gaussian();
             for (int c = 0; c < channels; ++c) {
-                const double wave = std::sin(0.9 * x + 0.35 * y + phase[static_cast<std::size_t>(c)]) +
-                                    0.6 * std::cos(0.25 * x - 0.7 * y * (1 + c % 2));
+                const double wave =
+                    std::sin(0.9 * x + 0.35 * y + phase[static_cast<std::size_t>(c)]) +
+                    0.6 * std::cos(0.25 * x - 0.7 * y * (1 + c % 2));
                 const double slope = 0.1 * x / size.width - 0.07 * y / size.height;
                 image.at(x, y, c) = static_cast<float>(0.5 + 0.08 * wave + slope + 0.04 * shared +
                                                        0.03 * random.gaussian());

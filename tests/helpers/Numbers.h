@@ -45,8 +45,9 @@ double largestDifference(const A& a, const B& b) {
 
 template <class Values>
 bool allFinite(const Values& values) {
-    return std::all_of(
-        std::begin(values), std::end(values), [](auto v) { return std::isfinite(v); });
+    return std::all_of(std::begin(values), std::end(values), [](auto v) {
+        return std::isfinite(v);
+    });
 }
 
 template <class Values>
