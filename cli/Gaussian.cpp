@@ -33,7 +33,7 @@ Result<void> run(const Options& options) {
     if (!picture)
         return picture.error();
     if (const auto ok = saveImage(*picture, options.output, options.save); !ok)
-        return ok;
+        return ok.error();
     printWritten({&options.output, 1});
     return {};
 }

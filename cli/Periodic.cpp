@@ -22,7 +22,7 @@ Result<void> run(const Options& options) {
         return exemplar.error();
     if (const auto ok = saveImage(periodicComponent(exemplar->image), options.output, options.save);
         !ok)
-        return ok;
+        return ok.error();
     printWritten({&options.output, 1});
     return {};
 }

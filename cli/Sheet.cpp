@@ -66,7 +66,7 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     if (!sheet)
         return sheet.error();
     if (const auto ok = saveImage(*sheet, options.output); !ok)
-        return ok;
+        return ok.error();
     printWritten({&options.output, 1});
     return {};
 }

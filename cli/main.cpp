@@ -35,14 +35,7 @@ int fail(std::string message, int code) {
     return code;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-    txn::cli::hushLibraries();
-    txn::CancelSource source;
-    listenForInterrupts(source);
-    txn::cli::Session session{source.token(), {}};
-
+int run(int argc, char** argv, txn::cli::Session& session) {
     CLI::App app("Textons and endless texture noise from a photograph of a material.", "texton");
     app.set_version_flag("--version", std::string("Texton Studio ") + txn::kProgramVersion);
     app.require_subcommand(1);
@@ -64,13 +57,23 @@ int main(int argc, char** argv) {
             return app.exit(error); // --help and --version
         return fail(std::string(error.what()) + " (see 'texton --help')", 2);
     }
+    const auto result = session.run();
+    if (result)
+        return 0;
+    if (result.error().code == txn::ErrorCode::Cancelled)
+        return fail("stopped; nothing was written", 1);
+    return fail(result.error().message, 1);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
     try {
-        const auto result = session.run();
-        if (result)
-            return 0;
-        if (result.error().code == txn::ErrorCode::Cancelled)
-            return fail("stopped; nothing was written", 1);
-        return fail(result.error().message, 1);
+        txn::cli::hushLibraries();
+        txn::CancelSource source;
+        listenForInterrupts(source);
+        txn::cli::Session session{source.token(), {}};
+        return run(argc, argv, session);
     } catch (const std::bad_alloc&) {
         return fail("out of memory; use a smaller picture, size or support", 1);
     } catch (const std::exception& error) {

@@ -72,7 +72,7 @@ std::string channelName(int channel, int channels) {
     if (channels == 1)
         return "Y";
     if (channels == 3)
-        return std::string(1, "RGB"[channel]);
+        return {"RGB"[channel]};
     return "ch" + std::to_string(channel);
 }
 
@@ -167,7 +167,7 @@ Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFil
         if (!text)
             return text.error();
         if (const auto ok = files.addText(path, *text); !ok)
-            return ok;
+            return ok.error();
     } else {
         const auto temporary = files.add(path);
         if (!temporary)

@@ -64,14 +64,15 @@ BsplineWeights bsplineWeights(int order, double y) {
     }
     const double floor = std::floor(y);
     const double fraction = y - floor;
-    result.first = static_cast<long long>(floor) - (order - 1) / 2;
+    const int left = (order - 1) / 2; // how many of them lie left of floor
+    result.first = static_cast<long long>(floor) - left;
     if (order == 1) {
         result.weight[0] = static_cast<float>(1.0 - fraction);
         result.weight[1] = static_cast<float>(fraction);
         return result;
     }
     for (int i = 0; i <= order; ++i)
-        result.weight[i] = static_cast<float>(bspline(order, i - (order - 1) / 2 - fraction));
+        result.weight[i] = static_cast<float>(bspline(order, i - left - fraction));
     return result;
 }
 
