@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Commands.h"
 #include "cli/ExemplarOptions.h"
+#include "cli/Paths.h"
 #include "cli/Report.h"
 #include "cli/SolveOptions.h"
 #include "core/export/Exporter.h"
@@ -20,6 +21,10 @@ struct Options {
 };
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
+    for (const auto& output : options.outputs) {
+        if (const auto ok = checkOutput(options.exemplar.path, output); !ok)
+            return ok.error();
+    }
     Stopwatch watch;
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)

@@ -15,6 +15,15 @@ namespace {
 /// The real standard error.
 int errorFd = STDERR_FILENO;
 
+void writeAll(std::string_view text) noexcept {
+    while (!text.empty()) {
+        const ssize_t written = ::write(errorFd, text.data(), text.size());
+        if (written <= 0)
+            return; // nobody left to tell
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
 } // namespace
 
 void hushLibraries() {
@@ -31,12 +40,11 @@ void hushLibraries() {
 }
 
 void printError(const std::string& text) {
-    for (std::string_view rest = text; !rest.empty();) {
-        const ssize_t written = ::write(errorFd, rest.data(), rest.size());
-        if (written <= 0)
-            return; // nobody left to tell
-        rest.remove_prefix(static_cast<std::size_t>(written));
-    }
+    writeAll(text);
+}
+
+void printStopped() noexcept {
+    writeAll("texton: stopped; nothing was written\n");
 }
 
 bool errorIsTerminal() {

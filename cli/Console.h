@@ -12,6 +12,9 @@ void hushLibraries();
 /// Writes text as it is, and at once.
 void printError(const std::string& text);
 
+/// "texton: stopped; nothing was written". May be called from a signal handler.
+void printStopped() noexcept;
+
 /// Whether somebody is looking.
 [[nodiscard]] bool errorIsTerminal();
 

@@ -2,6 +2,7 @@
 #include "cli/Commands.h"
 #include "cli/ExemplarOptions.h"
 #include "cli/Parse.h"
+#include "cli/Paths.h"
 #include "cli/Report.h"
 #include "core/gaussian/GaussianSampler.h"
 
@@ -21,6 +22,8 @@ struct Options {
 };
 
 Result<void> run(const Options& options) {
+    if (const auto ok = checkOutput(options.exemplar.path, options.output); !ok)
+        return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();

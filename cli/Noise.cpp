@@ -2,6 +2,7 @@
 #include "cli/Commands.h"
 #include "cli/NoiseOptions.h"
 #include "cli/Parse.h"
+#include "cli/Paths.h"
 #include "cli/Report.h"
 #include "core/bake/Bake.h"
 #include "core/export/Exporter.h"
@@ -28,6 +29,8 @@ struct Options {
 };
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
+    if (const auto ok = checkOutput(options.texton, options.output); !ok)
+        return ok.error();
     std::unique_ptr<tbb::global_control> limit;
     if (options.threads > 0)
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

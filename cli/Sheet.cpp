@@ -2,6 +2,7 @@
 #include "cli/Commands.h"
 #include "cli/ExemplarOptions.h"
 #include "cli/NoiseOptions.h"
+#include "cli/Paths.h"
 #include "cli/Report.h"
 #include "cli/SolveOptions.h"
 #include "core/gaussian/GaussianSampler.h"
@@ -31,6 +32,8 @@ std::string text(Size size) {
 }
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
+    if (const auto ok = checkOutput(options.exemplar.path, options.output); !ok)
+        return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();

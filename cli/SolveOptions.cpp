@@ -6,6 +6,8 @@
 #include "core/texton/ColorCorrection.h"
 #include "core/texton/TextonSolver.h"
 
+#include <algorithm>
+
 namespace txn::cli {
 
 void addSolveOptions(CLI::App& app, SolveOptions& options) {
@@ -48,8 +50,11 @@ solve(const GaussianModel& model, const SolveOptions& options, const CancelToken
     if (disc && options.support.width != options.support.height)
         return Error{ErrorCode::InvalidArgument, "a disc needs one number for --support"};
     TextonParams params;
-    params.support =
-        disc ? Support::disc(options.support.width) : Support::rectangle(options.support);
+    params.support = Support::rectangle(options.support);
+    const Size domain = model.domain();
+    // A disc that does not fit is refused below for its size, before its mask takes any memory.
+    if (disc && options.support.width <= std::min(domain.width, domain.height))
+        params.support = Support::disc(options.support.width);
     params.interpolationOrder = options.order;
     params.iterations = options.iterations;
     params.momentum = options.momentum;

@@ -5,18 +5,30 @@
 
 #include <algorithm>
 #include <csignal>
+#include <iostream>
 #include <new>
+#include <unistd.h>
 
 namespace {
 
 /// Signal handlers reach nothing but globals.
 txn::CancelSource* interrupt = nullptr;
 
+/// How long a job may take to stop by itself.
+constexpr unsigned kGraceSeconds = 2;
+
 extern "C" void onInterrupt(int) {
     interrupt->cancel();
+    ::alarm(kGraceSeconds);
 }
 
-/// Ctrl-C and kill ask the running job to stop, so that it can take its temporary files away.
+/// Jobs that cannot be stopped halfway end here; their files have no name yet and vanish.
+extern "C" void onGraceOver(int) {
+    txn::cli::printStopped();
+    ::_exit(1);
+}
+
+/// Ctrl-C and kill ask the running job to stop; nothing of it is left behind.
 void listenForInterrupts(txn::CancelSource& source) {
     interrupt = &source;
     struct sigaction action {};
@@ -25,12 +37,18 @@ void listenForInterrupts(txn::CancelSource& source) {
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGHUP, &action, nullptr);
+    action.sa_handler = onGraceOver;
+    sigaction(SIGALRM, &action, nullptr);
     // A write beyond the file size limit should fail with a message, not kill the program.
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int fail(std::string message, int code) {
-    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::replace_if(
+        message.begin(),
+        message.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+        ' ');
     txn::cli::printError("texton: " + message + "\n");
     return code;
 }
@@ -38,7 +56,7 @@ int fail(std::string message, int code) {
 int run(int argc, char** argv, txn::cli::Session& session) {
     CLI::App app("Textons and endless texture noise from a photograph of a material.", "texton");
     app.set_version_flag("--version", std::string("Texton Studio ") + txn::kProgramVersion);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1); // none: told below, since an unknown word is told better
     app.footer("Example:\n  texton compute wood.jpg -o wood.exr && "
                "texton noise wood.exr -o wood_4k.png --size 4096x4096\n"
                "'texton SUBCOMMAND --help' explains each one.");
@@ -57,11 +75,18 @@ int run(int argc, char** argv, txn::cli::Session& session) {
             return app.exit(error); // --help and --version
         return fail(std::string(error.what()) + " (see 'texton --help')", 2);
     }
+    if (!session.run)
+        return fail("give a subcommand, such as compute or noise (see 'texton --help')", 2);
     const auto result = session.run();
-    if (result)
-        return 0;
-    if (result.error().code == txn::ErrorCode::Cancelled)
-        return fail("stopped; nothing was written", 1);
+    if (result) {
+        if (std::cout.flush())
+            return 0;
+        return fail("cannot write to standard output", 1);
+    }
+    if (result.error().code == txn::ErrorCode::Cancelled) {
+        txn::cli::printStopped();
+        return 1;
+    }
     return fail(result.error().message, 1);
 }
 

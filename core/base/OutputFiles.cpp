@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/OutputFiles.h"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <chrono>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -22,24 +22,53 @@ std::string systemReason(int code) {
     return std::generic_category().message(code);
 }
 
-/// Opens, flushes and closes; 0 or the errno.
-int flushToDisk(const fs::path& path, int flags) {
-    const int fd = ::open(path.c_str(), flags | O_CLOEXEC);
-    if (fd < 0)
-        return errno;
-    const int code = ::fsync(fd) == 0 ? 0 : errno;
-    ::close(fd);
-    return code;
+/// The file behind target, whether it exists or not: links are followed step by step.
+Result<fs::path> followed(const fs::path& target) {
+    constexpr int kMostLinks = 40; // as the system itself has it
+    std::error_code ec;
+    fs::path real = target;
+    for (int i = 0; fs::is_symlink(real, ec); ++i) {
+        const fs::path next = fs::read_symlink(real, ec);
+        if (ec || i == kMostLinks)
+            return unwritable(target, "it is a link that leads nowhere");
+        real = next.is_absolute() ? next : real.parent_path() / next;
+    }
+    return real;
 }
 
-/// Permissions for a new file: those of the file it replaces, otherwise what the umask allows.
-mode_t modeFor(const fs::path& target) {
-    struct stat info {};
-    if (::stat(target.c_str(), &info) == 0)
-        return info.st_mode & 0777U;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666U & ~mask;
+fs::path folderOf(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// A name that no other file in the folder has, short and apart from the target's: that one may be
+/// as long as the file system allows.
+fs::path uniqueName(const fs::path& folder) {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    return folder / (".texton-" + std::to_string(::getpid()) + "-" + std::to_string(now));
+}
+
+fs::path pathOfDescriptor(int fd) {
+    return "/proc/self/fd/" + std::to_string(fd);
+}
+
+/// Gives a nameless file a name; 0 or the errno. EEXIST if there is such a file.
+int linkNameless(int fd, const fs::path& path) {
+    return ::linkat(AT_FDCWD,
+                    pathOfDescriptor(fd).c_str(),
+                    AT_FDCWD,
+                    path.c_str(),
+                    AT_SYMLINK_FOLLOW) == 0
+               ? 0
+               : errno;
+}
+
+/// Makes sure that a rename in the folder survives a power cut. Failing here loses nothing.
+void flushFolder(const fs::path& folder) {
+    const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd >= 0) {
+        ::fsync(fd);
+        ::close(fd);
+    }
 }
 
 } // namespace
@@ -54,39 +83,49 @@ OutputFiles& OutputFiles::operator=(OutputFiles&& other) noexcept {
 }
 
 Result<fs::path> OutputFiles::add(const fs::path& target) {
+    const auto real = followed(target);
+    if (!real)
+        return real.error();
     std::error_code ec;
-    fs::path real = target;
-    // Step by step, since the file behind a link need not exist yet.
-    constexpr int kMostLinks = 40; // as the system itself has it
-    for (int i = 0; fs::is_symlink(real, ec); ++i) {
-        const fs::path next = fs::read_symlink(real, ec);
-        if (ec || i == kMostLinks)
-            return unwritable(target, "it is a link that leads nowhere");
-        real = next.is_absolute() ? next : real.parent_path() / next;
-    }
-    const auto status = fs::status(real, ec);
+    const auto status = fs::status(*real, ec);
     if (fs::is_directory(status))
         return unwritable(target, "it is a folder; give a file name");
     if (fs::exists(status) && !fs::is_regular_file(status))
         return unwritable(target, "it is not a plain file");
-    if (real.filename().empty())
+    if (real->filename().empty())
         return unwritable(target, "give a file name");
-
-    const fs::path folder = real.has_parent_path() ? real.parent_path() : fs::path(".");
+    const fs::path folder = folderOf(*real);
     if (!fs::is_directory(folder, ec))
         return unwritable(target, "there is no folder " + quoted(folder));
-    if (fs::exists(status) && ::access(real.c_str(), W_OK) != 0)
+    if (fs::exists(status) && ::access(real->c_str(), W_OK) != 0)
         return unwritable(target, systemReason(errno));
+    // Found out now and not after the work.
+    const long longest = ::pathconf(folder.c_str(), _PC_NAME_MAX);
+    if (longest > 0 && real->filename().string().size() > static_cast<std::size_t>(longest))
+        return unwritable(target, systemReason(ENAMETOOLONG));
+    const auto same = [&](const File& file) {
+        return fs::absolute(file.target).lexically_normal() ==
+               fs::absolute(*real).lexically_normal();
+    };
+    if (std::any_of(m_files.begin(), m_files.end(), same))
+        return Error{ErrorCode::InvalidArgument, quoted(target) + " is named twice"};
 
-    // Short and apart from the target's name: that one may be as long as the file system allows.
-    std::string pattern = (folder / ".texton-XXXXXX").string();
-    const int fd = ::mkstemp(pattern.data());
-    if (fd < 0)
-        return unwritable(target, systemReason(errno));
-    ::fchmod(fd, modeFor(real));
-    ::close(fd);
-    m_files.push_back({real, pattern});
-    return fs::path(pattern);
+    constexpr mode_t kMode = 0666; // less what the umask forbids
+    File file{*real, {}, ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode)};
+    const bool nameless = file.fd >= 0 && fs::exists(pathOfDescriptor(file.fd), ec);
+    if (!nameless) {
+        if (file.fd >= 0)
+            ::close(file.fd);
+        file.temporary = uniqueName(folder);
+        file.fd = ::open(file.temporary.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
+        if (file.fd < 0)
+            return unwritable(target, systemReason(errno));
+    }
+    struct stat info {};
+    if (::stat(real->c_str(), &info) == 0)
+        ::fchmod(file.fd, info.st_mode & 0777U);
+    m_files.push_back(file);
+    return nameless ? pathOfDescriptor(file.fd) : file.temporary;
 }
 
 Result<void> OutputFiles::addText(const fs::path& target, std::string_view text) {
@@ -114,26 +153,38 @@ Result<void> OutputFiles::addText(const fs::path& target, std::string_view text)
 
 Result<void> OutputFiles::commit() {
     for (const File& file : m_files) {
-        if (const int code = flushToDisk(file.temporary, O_RDONLY); code != 0)
-            return unwritable(file.target, systemReason(code));
+        if (::fsync(file.fd) != 0)
+            return unwritable(file.target, systemReason(errno));
     }
     while (!m_files.empty()) {
-        const File& file = m_files.front();
-        std::error_code ec;
-        fs::rename(file.temporary, file.target, ec);
-        if (ec)
-            return unwritable(file.target, ec.message());
-        // A failure here loses nothing: the rename itself has been done.
-        flushToDisk(file.target.has_parent_path() ? file.target.parent_path() : fs::path("."),
-                    O_RDONLY | O_DIRECTORY);
+        File& file = m_files.front();
+        if (file.temporary.empty()) {
+            // A new file gets its name at once; one that replaces another needs a rename.
+            int code = linkNameless(file.fd, file.target);
+            if (code == EEXIST) {
+                const fs::path name = uniqueName(folderOf(file.target));
+                code = linkNameless(file.fd, name);
+                if (code == 0)
+                    file.temporary = name;
+            }
+            if (code != 0)
+                return unwritable(file.target, systemReason(code));
+        }
+        if (!file.temporary.empty() && ::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+            return unwritable(file.target, systemReason(errno));
+        flushFolder(folderOf(file.target));
+        ::close(file.fd);
         m_files.erase(m_files.begin());
     }
     return {};
 }
 
 void OutputFiles::discard() noexcept {
-    for (const File& file : m_files)
-        ::unlink(file.temporary.c_str());
+    for (const File& file : m_files) {
+        if (!file.temporary.empty())
+            ::unlink(file.temporary.c_str());
+        ::close(file.fd);
+    }
     m_files.clear();
 }
 

@@ -9,9 +9,10 @@
 
 namespace txn {
 
-/// Files that appear together or not at all: each is written under a temporary name beside its
-/// final one, and commit() renames them. Destroyed without commit(), it removes what it wrote, and
-/// existing files stay as they were. Move-only; one thread at a time.
+/// Files that appear together or not at all: each is written without a name in the folder where it
+/// belongs, and commit() gives them their names. Destroyed without commit(), or killed, it leaves
+/// nothing behind, and existing files stay as they were. (On the few file systems that know no
+/// nameless files, a kill may leave a file called .texton-...) Move-only; one thread at a time.
 class OutputFiles {
   public:
     OutputFiles() = default;
@@ -23,22 +24,24 @@ class OutputFiles {
     OutputFiles& operator=(const OutputFiles&) = delete;
     ~OutputFiles() { discard(); }
 
-    /// The temporary path to write to instead of target. It exists, is empty and writable.
-    /// Links are followed, so that the file behind one is replaced and not the link.
+    /// The path to write to instead of target: it exists, is empty, and may be opened until
+    /// commit(). Links are followed, so that the file behind one is replaced and not the link.
     /// Errors: Unwritable where the folder is missing or not writable, or where target is a folder
-    /// or any other thing that is not a plain file.
+    /// or any other thing that is not a plain file; InvalidArgument if it is among the files
+    /// already.
     [[nodiscard]] Result<std::filesystem::path> add(const std::filesystem::path& target);
 
     /// add() and write the whole text.
     [[nodiscard]] Result<void> addText(const std::filesystem::path& target, std::string_view text);
 
-    /// Flushes every file to the disk and renames each to its final name.
+    /// Flushes every file to the disk and gives each its final name.
     [[nodiscard]] Result<void> commit();
 
   private:
     struct File {
         std::filesystem::path target;
-        std::filesystem::path temporary;
+        std::filesystem::path temporary; ///< empty: nameless, known by fd only
+        int fd = -1;
     };
     void discard() noexcept;
     std::vector<File> m_files;

@@ -3,6 +3,7 @@
 
 #include "core/base/OutputFiles.h"
 #include "core/export/TextonFile.h"
+#include "core/gaussian/Exemplar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,15 @@ constexpr double kLargestCode = 65535.0;
 constexpr double kZeroCode = 32768.0;
 
 enum class TextonFormat { Texton, OpenExr, Png };
+
+Error inFile(const std::string& verb, const fs::path& path, const Error& error) {
+    return {error.code, "cannot " + verb + " " + quoted(path) + ": " + error.message};
+}
+
+/// JSON text; file names in it may hold bytes that are not UTF-8.
+std::string asText(const Json& json, int indent = -1) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 Result<TextonFormat> formatForPath(const fs::path& path) {
     std::string ending = path.extension().string();
@@ -101,7 +111,10 @@ void forEachCoefficient(const Texton& texton, int kernels, Visit visit) {
     }
 }
 
-Result<void> writeExr(const TextonAsset& asset, const Json& description, const fs::path& path) {
+Result<void> writeExr(const TextonAsset& asset,
+                      const Json& description,
+                      const fs::path& path,
+                      OutputFiles& files) {
     const Texton& texton = asset.texton;
     Image image(texton.footprint(),
                 texton.kernelCount() * texton.channels(),
@@ -114,20 +127,24 @@ Result<void> writeExr(const TextonAsset& asset, const Json& description, const f
                                texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
                        });
     SaveOptions options;
-    options.format = ImageFormat::OpenExr;
     options.sampleFormat = SampleFormat::Float;
     options.channelNames = layerNames(texton);
     for (const auto& [key, value] : description.items())
-        options.attributes[std::string(kAttributePrefix) + key] = value.dump();
-    return saveImage(image, path, options);
+        options.attributes[std::string(kAttributePrefix) + key] = asText(value);
+    return saveImage(image, path, options, &files);
 }
 
-Result<void> writePng(const TextonAsset& asset, const SampleCode& code, const fs::path& path) {
+Result<void> writePng(const TextonAsset& asset,
+                      const SampleCode& code,
+                      const fs::path& path,
+                      OutputFiles& files) {
     const Texton& texton = asset.texton;
     if (texton.channels() != 1 && texton.channels() != 3)
-        return Error{ErrorCode::Unsupported,
-                     "a PNG texton holds 1 or 3 channels and this one has " +
-                         std::to_string(texton.channels()) + "; use EXR"};
+        return inFile("write",
+                      path,
+                      {ErrorCode::Unsupported,
+                       "a PNG texton holds 1 or 3 channels and this one has " +
+                           std::to_string(texton.channels()) + "; use EXR"});
     const Size footprint = texton.footprint();
     Image image({footprint.width, footprint.height * texton.kernelCount()}, texton.channels());
     for (int c = 0; c < image.channels(); ++c)
@@ -142,17 +159,8 @@ Result<void> writePng(const TextonAsset& asset, const SampleCode& code, const fs
                                static_cast<float>((value - code.bias[i]) / code.scale[i]);
                        });
     SaveOptions options;
-    options.format = ImageFormat::Png;
     options.sampleFormat = SampleFormat::UInt16;
-    return saveImage(image, path, options);
-}
-
-/// The same error about the file that the user asked for.
-Error inFinalFile(Error error, const fs::path& temporary, const fs::path& path) {
-    const std::string name = quoted(temporary);
-    if (const auto at = error.message.find(name); at != std::string::npos)
-        error.message.replace(at, name.size(), quoted(path));
-    return error;
+    return saveImage(image, path, options, &files);
 }
 
 Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFiles& files) {
@@ -165,23 +173,16 @@ Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFil
     if (*format == TextonFormat::Texton) {
         const auto text = toTextonFile(asset);
         if (!text)
-            return text.error();
+            return inFile("write", path, text.error());
         if (const auto ok = files.addText(path, *text); !ok)
             return ok.error();
     } else {
-        const auto temporary = files.add(path);
-        if (!temporary)
-            return temporary.error();
-        const auto ok = *format == TextonFormat::Png ? writePng(asset, code, *temporary)
-                                                     : writeExr(asset, description, *temporary);
+        const auto ok = *format == TextonFormat::Png ? writePng(asset, code, path, files)
+                                                     : writeExr(asset, description, path, files);
         if (!ok)
-            return inFinalFile(ok.error(), *temporary, path);
+            return ok.error();
     }
-    return files.addText(sidecarPath(path), description.dump(2) + "\n");
-}
-
-Error inFile(const fs::path& path, const Error& error) {
-    return {error.code, "cannot read " + quoted(path) + ": " + error.message};
+    return files.addText(sidecarPath(path), asText(description, 2) + "\n");
 }
 
 Result<std::string> readText(const fs::path& path, std::uintmax_t limit) {
@@ -210,7 +211,7 @@ Result<Description> readSidecar(const fs::path& path) {
         return Error{ErrorCode::Unreadable, quoted(sidecarPath(path)) + " is not valid JSON"};
     auto description = parseDescription(json);
     if (!description)
-        return inFile(sidecarPath(path), description.error());
+        return inFile("read", sidecarPath(path), description.error());
     return description;
 }
 
@@ -258,7 +259,7 @@ Result<TextonAsset> withKernels(Description description,
                          "the channel '" + names[i] + "' is missing in " + quoted(path)};
         source[i] = static_cast<int>(it - loaded.channelNames.begin());
     }
-    bool finite = true;
+    bool usable = true;
     forEachCoefficient(texton, kernels, [&](int q, int c, int x, int y, int px, int py) {
         const int from = png ? c : source[static_cast<std::size_t>(q * texton.channels() + c)];
         const double sample = image.at(px, png ? q * footprint.height + py : py, from);
@@ -268,12 +269,13 @@ Result<TextonAsset> withKernels(Description description,
             png ? (std::round(sample * kLargestCode) / kLargestCode) * description.code.scale[i] +
                       description.code.bias[i]
                 : sample * description.code.scale[i] + description.code.bias[i];
-        finite = finite && std::isfinite(value);
-        texton.kernels[static_cast<std::size_t>(q)].at(x, y, c) = static_cast<float>(value);
+        const auto coefficient = static_cast<float>(value);
+        usable = usable && std::abs(coefficient) <= Exemplar::kLargestSample; // not NaN either
+        texton.kernels[static_cast<std::size_t>(q)].at(x, y, c) = coefficient;
     });
-    if (!finite)
+    if (!usable)
         return Error{ErrorCode::Unreadable,
-                     quoted(path) + " holds coefficients that are not numbers"};
+                     quoted(path) + " holds coefficients that are not usable numbers"};
     restoreMask(texton);
     return std::move(description.asset);
 }
@@ -297,7 +299,7 @@ Result<TextonAsset> loadTextonText(const fs::path& path) {
         return text.error();
     auto asset = fromTextonFile(*text);
     if (!asset)
-        return inFile(path, asset.error());
+        return inFile("read", path, asset.error());
     const auto sidecar = readSidecar(path);
     if (!sidecar)
         return asset;
@@ -333,8 +335,6 @@ Result<std::vector<fs::path>> saveTexton(const TextonAsset& asset,
     OutputFiles files;
     std::vector<fs::path> written;
     for (const fs::path& path : outputs) {
-        if (std::ranges::find(written, path) != written.end())
-            return Error{ErrorCode::InvalidArgument, quoted(path) + " is named twice"};
         if (const auto ok = addOutput(asset, path, files); !ok)
             return ok.error();
         written.push_back(path);
@@ -362,7 +362,7 @@ Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path&
     if (const auto json = headerDescription(*image)) {
         auto description = parseDescription(*json);
         if (!description)
-            return inFile(path, description.error());
+            return inFile("read", path, description.error());
         return asLoaded(withKernels(std::move(*description), *image, TextonFormat::OpenExr, path));
     }
     std::error_code ec;

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
 constexpr int kMaxSupport = 16384;
 constexpr int kMaxKernels = 64;
+constexpr double kLargest = Exemplar::kLargestSample;
 
 std::string_view shapeName(SupportShape shape) {
     switch (shape) {
@@ -51,7 +52,7 @@ bool readNumbers(const Json& json,
         return false;
     values.clear();
     for (const auto& item : *it) {
-        if (!item.is_number() || !std::isfinite(item.get<double>()))
+        if (!item.is_number() || !(std::abs(item.get<double>()) <= kLargest))
             return false;
         values.push_back(item.get<double>());
     }

@@ -2,6 +2,7 @@
 #include "core/export/TextonFile.h"
 
 #include "core/base/Version.h"
+#include "core/gaussian/Exemplar.h"
 #include "core/spectral/BSpline.h"
 
 #include <array>
@@ -13,6 +14,7 @@ namespace txn {
 namespace {
 
 constexpr int kMaxSide = 16384;
+constexpr double kLargest = Exemplar::kLargestSample;
 
 Error broken(const std::string& reason) {
     return {ErrorCode::Unreadable, reason};
@@ -50,7 +52,7 @@ class Reader {
     template <class Number>
     std::optional<Number> number() {
         std::string_view digits = word();
-        if (digits.starts_with('+'))
+        if (digits.starts_with('+') && !digits.starts_with("+-"))
             digits.remove_prefix(1);
         Number value{};
         const auto [end, error] =
@@ -120,7 +122,7 @@ Result<TextonAsset> fromTextonFile(std::string_view text) {
     asset.texton.interpolationOrder = *order;
     for (int c = 0; c < 3; ++c) {
         const auto mean = reader.number<double>();
-        if (!mean || !std::isfinite(*mean))
+        if (!mean || !(std::abs(*mean) <= kLargest))
             return broken("line " + std::to_string(reader.line()) + " should hold the mean colour");
         asset.texton.mean.push_back(*mean);
     }
@@ -139,7 +141,7 @@ Result<TextonAsset> fromTextonFile(std::string_view text) {
             const bool frame = x < 0 || y < 0 || x >= support.width || y >= support.height;
             for (int c = 0; c < 3; ++c) {
                 const auto value = reader.number<float>();
-                if (!value || !std::isfinite(*value))
+                if (!value || !(std::abs(*value) <= Exemplar::kLargestSample))
                     return broken("line " + std::to_string(reader.line()) +
                                   " should hold three coefficients");
                 if (frame && *value != 0.0F)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/OutputFiles.h"
 #include "core/base/Result.h"
 #include "core/image/Image.h"
 
@@ -52,8 +53,6 @@ struct LoadOptions {
                                             const LoadOptions& options = {});
 
 struct SaveOptions {
-    /// Unset: told by the ending of the name.
-    std::optional<ImageFormat> format;
     /// Unset: 8 bits for PNG, JPEG, TIFF, TGA, BMP, WebP; half for EXR; float for HDR.
     std::optional<SampleFormat> sampleFormat;
     std::vector<std::string> channelNames; ///< empty: Y, RGB or the channel's number
@@ -63,14 +62,16 @@ struct SaveOptions {
 /// File type by the ending of the name. Errors: Unsupported, naming the endings that work.
 [[nodiscard]] Result<ImageFormat> imageFormatForPath(const std::filesystem::path& path);
 
-/// Writes the image whole: to a neighbouring temporary file first, renamed at the end, so that an
-/// existing file is replaced by a complete one or stays as it was. Integer formats hold encoded
+/// Writes the image whole: an existing file is replaced by a complete one or stays as it was. With
+/// together, the file joins those and appears when they are committed. Integer formats hold encoded
 /// values in [0, 1]: Linear images are encoded, values outside are clamped. Float formats keep the
 /// values and note the transfer in the attribute texton:transfer.
 /// Errors: Unsupported (ending, channel count or sample format that the type cannot hold);
 /// Unwritable. Thread-safe.
-[[nodiscard]] Result<void>
-saveImage(const Image& image, const std::filesystem::path& path, const SaveOptions& options = {});
+[[nodiscard]] Result<void> saveImage(const Image& image,
+                                     const std::filesystem::path& path,
+                                     const SaveOptions& options = {},
+                                     OutputFiles* together = nullptr);
 
 /// Writes an image in bands of rows, from the top down, without ever holding it whole. The file
 /// appears under its name at finish(); a writer that is destroyed before leaves nothing behind.
@@ -84,8 +85,10 @@ class ImageWriter {
     };
 
     /// Same formats, errors and rules as saveImage.
-    [[nodiscard]] static Result<ImageWriter>
-    open(const std::filesystem::path& path, const Layout& layout, const SaveOptions& options = {});
+    [[nodiscard]] static Result<ImageWriter> open(const std::filesystem::path& path,
+                                                  const Layout& layout,
+                                                  const SaveOptions& options = {},
+                                                  OutputFiles* together = nullptr);
     ImageWriter(ImageWriter&&) noexcept;
     ImageWriter& operator=(ImageWriter&&) noexcept;
     ~ImageWriter();

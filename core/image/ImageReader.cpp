@@ -151,11 +151,15 @@ Result<void> Reader::readSamples() {
     const bool tiled = m_spec.tile_width > 0;
     const std::size_t rowSamples =
         static_cast<std::size_t>(m_spec.width) * static_cast<std::size_t>(m_spec.nchannels);
-    const int unit = tiled ? m_spec.tile_height : 32;
-    const auto units = std::clamp<std::size_t>(kBlockBytes / (rowSamples * sizeof(float)) /
-                                                   static_cast<std::size_t>(unit),
-                                               1,
-                                               1U << 16U);
+    // OpenImageIO 2.4 loses decoding errors of TIFF when it is asked for several rows at once.
+    const bool rowByRow = m_header.format == ImageFormat::Tiff && !tiled;
+    const int unit = tiled ? m_spec.tile_height : rowByRow ? 1 : 32;
+    const auto units = rowByRow
+                           ? 1
+                           : std::clamp<std::size_t>(kBlockBytes / (rowSamples * sizeof(float)) /
+                                                         static_cast<std::size_t>(unit),
+                                                     1,
+                                                     1U << 16U);
     const auto blockRows = std::min<std::uint64_t>(units * static_cast<std::size_t>(unit),
                                                    static_cast<std::uint64_t>(m_spec.height));
     std::vector<float> block(rowSamples * blockRows);

@@ -181,6 +181,7 @@ void describe(OIIO::ImageSpec& spec, ImageFormat format, const ImageAttributes& 
 struct ImageWriter::State {
     // In this order: the writer is destroyed before its sink, and both before the file.
     OutputFiles files;
+    OutputFiles* together = nullptr; ///< instead of files
     std::unique_ptr<FileSink> sink;
     std::unique_ptr<OIIO::ImageOutput> output;
 
@@ -317,7 +318,7 @@ Result<void> ImageWriter::State::finish() {
     output.reset();
     if (sink->finish() != 0 || !closed)
         return failed(said);
-    return files.commit();
+    return together != nullptr ? Result<void>() : files.commit();
 }
 
 ImageWriter::ImageWriter(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -325,10 +326,11 @@ ImageWriter::ImageWriter(ImageWriter&&) noexcept = default;
 ImageWriter& ImageWriter::operator=(ImageWriter&&) noexcept = default;
 ImageWriter::~ImageWriter() = default;
 
-Result<ImageWriter>
-ImageWriter::open(const Path& path, const Layout& layout, const SaveOptions& options) {
-    const auto type =
-        options.format ? Result<ImageFormat>(*options.format) : imageFormatForPath(path);
+Result<ImageWriter> ImageWriter::open(const Path& path,
+                                      const Layout& layout,
+                                      const SaveOptions& options,
+                                      OutputFiles* together) {
+    const auto type = imageFormatForPath(path);
     if (!type)
         return type.error();
     const FormatTraits& traits = formatTraits(*type);
@@ -344,7 +346,8 @@ ImageWriter::open(const Path& path, const Layout& layout, const SaveOptions& opt
     if (auto named = checkChannelNames(path, names, layout.channels); !named)
         return named.error();
 
-    auto temporary = state->files.add(path);
+    state->together = together;
+    auto temporary = (together != nullptr ? *together : state->files).add(path);
     if (!temporary)
         return temporary.error();
     try {
@@ -411,11 +414,13 @@ Result<void> ImageWriter::finish() {
     }
 }
 
-Result<void> saveImage(const Image& image, const Path& path, const SaveOptions& options) {
+Result<void>
+saveImage(const Image& image, const Path& path, const SaveOptions& options, OutputFiles* together) {
     auto writer = ImageWriter::open(
         path,
         {.size = image.size(), .channels = image.channels(), .transfer = image.transfer()},
-        options);
+        options,
+        together);
     if (!writer)
         return writer.error();
     if (auto written = writer->writeRows(image); !written)

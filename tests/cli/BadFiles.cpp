@@ -172,16 +172,12 @@ QByteArray scrambled(const QByteArray& bytes) {
 
 void addHostileHeaders(const GoodPictures& good, QList<NamedBytes>& files) {
     const auto add = [&](const char* name, const QByteArray& bytes) {
-        files.append({name, bytes});
+        files.append(NamedBytes{name, bytes});
     };
     add("largest.png", pngBytes(kLargest, kLargest));
     add("60000.png", pngBytes(60000, 60000));
-    add("negative.png", pngBytes(0xfffffff0U, 4));
     add("no-columns.png", pngBytes(0, 4));
-    add("no-rows.png", pngBytes(4, 0));
-    add("depth.png", pngFile(4, 4, 77, 2, QByteArray(52, '\0')));
     add("color-type.png", pngFile(4, 4, 8, 99, QByteArray(52, '\0')));
-    add("no-palette.png", pngFile(4, 4, 8, 3, QByteArray(20, '\0')));
     add("one-row-less.png", pngFile(4, 4, 8, 2, QByteArray(39, '\0')));
     add("no-pixels.png",
         QByteArray("\x89PNG\r\n\x1a\n", 8) +
@@ -191,57 +187,32 @@ void addHostileHeaders(const GoodPictures& good, QList<NamedBytes>& files) {
     add("chunk-length.png", chunkLength.replace(33, 4, big(0xffffffffU)));
 
     add("largest.jpg", jpegOfSize(good["jpg"], 65535, 65535));
-    add("60000.jpg", jpegOfSize(good["jpg"], 60000, 60000));
-    add("no-columns.jpg", jpegOfSize(good["jpg"], 0, 32));
     add("no-rows.jpg", jpegOfSize(good["jpg"], 48, 0));
     add("more-rows.jpg", jpegOfSize(good["jpg"], 48, 320));
     // What a camera's card that was pulled out leaves: the end marker is there, the pixels are not.
     add("half-with-end.jpg", good["jpg"].left(good["jpg"].size() / 2) + "\xff\xd9");
 
     add("largest.tif", tiffBytes(kLargest, kLargest));
-    add("60000.tif", tiffBytes(60000, 60000));
-    add("negative.tif", tiffBytes(0xfffffffbU, 0xfffffffbU));
-    add("no-columns.tif", tiffBytes(0, 3));
-    add("no-rows.tif", tiffBytes(4, 0));
-    add("short-strip.tif", tiffBytes(40, 3));
+    add("short-strip.tif", tiffBytes(400, 3));
     QByteArray directory = tiffBytes(4, 3);
     add("directory.tif", directory.replace(4, 4, little(0x7ffffff0U)));
 
     add("largest.exr", exrOfWindow(0, 0, kLargest - 1, kLargest - 1));
-    add("60000.exr", exrOfWindow(0, 0, 59999, 59999));
     add("inverted.exr", exrOfWindow(5, 5, 0, 0));
     add("overflow.exr", exrOfWindow(-kLargest, -kLargest, kLargest, kLargest));
-    add("attribute-length.exr",
-        QByteArray("\x76\x2f\x31\x01\x02\0\0\0", 8) + exrText("channels") + exrText("chlist") +
-            little(kLargest));
 
     add("largest.hdr", hdrBytes("-Y 2147483647 +X 2147483647"));
-    add("60000.hdr", hdrBytes("-Y 60000 +X 60000"));
-    add("beyond.hdr", hdrBytes("-Y 99999999999999999999 +X 4"));
     add("negative.hdr", hdrBytes("-Y -5 +X 5"));
-    add("zero.hdr", hdrBytes("-Y 0 +X 0"));
-    add("no-size.hdr", hdrBytes("large"));
-    add("header-only.hdr", "#?RADIANCE\n");
 
     add("largest.tga", tgaBytes(65535, 65535, 2));
     add("run-length.tga", tgaBytes(65535, 65535, 10));
-    add("zero.tga", tgaBytes(0, 0, 2));
-    add("short.tga", tgaBytes(5, 5, 2));
 
     add("largest.bmp", bmpBytes(kLargest, kLargest));
-    add("60000.bmp", bmpBytes(60000, 60000));
-    add("negative.bmp", bmpBytes(-5, 5));
     add("upside-down.bmp", bmpBytes(4, std::numeric_limits<qint32>::min()));
-    add("zero.bmp", bmpBytes(0, 0));
 
     add("largest.webp", webpCanvas(1U << 24U, 1U << 24U));
-    add("60000.webp", webpCanvas(60000, 60000));
-    add("no-picture.webp", webpCanvas(16, 16));
     add("lossless.webp",
         webpBytes("VP8L" + little(quint32{6}) + QByteArray("\x2f\xff\xff\xff\x0f\0", 6)));
-    add("lossy.webp",
-        webpBytes("VP8 " + little(quint32{10}) +
-                  QByteArray("\x30\x01\0\x9d\x01\x2a\xff\x3f\xff\x3f", 10)));
 }
 
 } // namespace
@@ -291,25 +262,30 @@ QList<NamedBytes> brokenPictures(const GoodPictures& good) {
     for (auto it = good.begin(); it != good.end(); ++it) {
         const QByteArray ending = "." + it.key();
         const QByteArray& bytes = it.value();
-        files.append({"empty" + ending, {}});
-        files.append({"one-byte" + ending, bytes.left(1)});
-        files.append({"start" + ending, bytes.left(10)});
-        files.append({"half" + ending, bytes.left(bytes.size() / 2)});
+        files.append(NamedBytes{"half" + ending, bytes.left(bytes.size() / 2)});
         // Some decoders pretend to have read these. A TGA ends in a signature that it may lack.
         if (it.key() != "tga")
-            files.append({"end-lost" + ending, bytes.chopped(2)});
-        files.append({"text" + ending, "This is not a picture, whatever its name says.\n"});
-        const bool checked =
-            it.key() == "png" || it.key() == "jpg" || it.key() == "tif" || it.key() == "exr";
-        if (checked)
-            files.append({"overwritten" + ending, overwritten(bytes, '\xff')});
-        if (checked || it.key() == "webp" || it.key() == "hdr")
-            files.append({"scrambled" + ending, scrambled(bytes)});
+            files.append(NamedBytes{"end-lost" + ending, bytes.chopped(2)});
+        const bool hasChecksums = it.key() == "png" || it.key() == "tif" || it.key() == "exr";
+        if (hasChecksums || it.key() == "jpg")
+            files.append(NamedBytes{"overwritten" + ending, overwritten(bytes, '\xff')});
     }
-    files.append({"texton.png", textonBytes()});
-    files.append({"gif.png", QByteArray("GIF89a\x04\0\x04\0\xf0\0\0", 13) + QByteArray(64, '\0')});
-    files.append(NamedBytes{"drawing.jpg", "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>"});
-    files.append({"zeros.png", QByteArray(5000, '\0')});
+    files.append(NamedBytes{"empty.png", {}});
+    files.append(NamedBytes{"empty.tga", {}});
+    files.append(NamedBytes{"one-byte.bmp", "B"});
+    for (const char* ending : {"jpg", "tif", "exr", "webp"})
+        files.append(NamedBytes{QByteArray("start.") + ending, good[ending].left(10)});
+    for (const char* ending : {"jpg", "tif", "exr", "hdr", "webp"})
+        files.append(NamedBytes{QByteArray("scrambled.") + ending, scrambled(good[ending])});
+    for (const char* ending : {"png", "tga"})
+        files.append(
+            {QByteArray("text.") + ending, "This is no picture, whatever its name says.\n"});
+    files.append(NamedBytes{"texton.png", textonBytes()});
+    files.append(
+        NamedBytes{"gif.png", QByteArray("GIF89a\x04\0\x04\0\xf0\0\0", 13) + QByteArray(64, '\0')});
+    files.append(NamedBytes{"drawing.jpg",
+                            "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>"});
+    files.append(NamedBytes{"zeros.png", QByteArray(5000, '\0')});
     files.append(NamedBytes{"no-name", "neither a name nor a picture"});
     addHostileHeaders(good, files);
     return files;
@@ -318,43 +294,22 @@ QList<NamedBytes> brokenPictures(const GoodPictures& good) {
 QList<NamedBytes> brokenTextonTexts() {
     QList<NamedBytes> files;
     const auto add = [&](const char* name, const TextonText& text) {
-        files.append({QByteArray(name) + ".texton", textonBytes(text)});
+        files.append(NamedBytes{QByteArray(name) + ".texton", textonBytes(text)});
     };
     files.append(NamedBytes{"empty.texton", {}});
     files.append(NamedBytes{"magic-only.texton", "TEXTON"});
-    files.append({"scrambled.texton", scrambled("TEXTON\n1\n1\n")});
-    files.append({"png.texton", pngBytes(4, 4)});
-    add("other-magic", {.magic = "texton"});
+    files.append(NamedBytes{"scrambled.texton", scrambled("TEXTON\n1\n1\n")});
+    files.append(NamedBytes{"png.texton", pngBytes(4, 4)});
     add("version-2", {.version = "2"});
-    add("version-0", {.version = "0"});
-    add("no-version", {.version = "one"});
-    add("order-2", {.order = "2"});
-    add("order-negative", {.order = "-1"});
-    add("order-7", {.order = "7"});
-    add("order-large", {.order = "99999999999"});
-    add("order-fraction", {.order = "1.5"});
-    add("mean-nan", {.mean = "nan 0 0"});
-    add("mean-infinite", {.mean = "0 -inf 0"});
     add("mean-huge", {.mean = "0 1e999 0"});
     add("mean-beyond-float", {.mean = "0 1e300 0"});
-    add("mean-text", {.mean = "red green blue"});
-    add("size-zero", {.size = "0 0"});
     add("size-negative", {.size = "-4 4"});
     add("size-border-only", {.size = "2 2"});
     add("size-larger", {.size = "40 40"});
-    add("size-huge", {.size = "16384 16384"});
     add("size-largest", {.size = "2147483647 2147483647"});
-    add("size-beyond", {.size = "99999999999 4"});
     add("coefficient-nan", {.inner = "nan 0 0"});
-    add("coefficient-infinite", {.inner = "0 inf 0"});
-    add("coefficient-huge", {.inner = "0 0 1e39"});
-    add("coefficient-text", {.inner = "0 0 zero"});
-    add("coefficient-comma", {.inner = "0,1 0,2 0,3"});
-    add("one-channel", {.inner = "0.1"});
     add("border", {.border = "0 0.5 0"});
-    add("border-nan", {.border = "0 0 nan"});
     add("one-line-less", {.samples = 15});
-    add("no-coefficients", {.samples = 0});
     return files;
 }
 
@@ -384,31 +339,25 @@ QList<NamedBytes> brokenExrTextons() {
             layout.attributes[key] = value;
         else
             layout.attributes.remove(key);
-        files.append({QByteArray("texton-") + name + ".exr", exrBytes(layout)});
+        files.append(NamedBytes{QByteArray("texton-") + name + ".exr", exrBytes(layout)});
     };
     add("version-2", "texton:version", "2");
-    add("no-channels", "texton:channels", nullptr);
     add("more-channels", "texton:channels", "16");
-    add("mean-for-two", "texton:mean", "[0.5,0.5]");
     add("two-kernels", "texton:kernels", "2");
-    add("order-2", "texton:interpolation_order", "2");
-    add("order-5", "texton:interpolation_order", "5");
     add("wide", "texton:support_width", "3");
-    add("largest", "texton:support_width", "2147483647");
-    add("not-json", "texton:scale", "[1.0,");
     add("nested", "texton:scale", QByteArray(10000, '[').constData());
     add("scale-huge", "texton:scale", "[1e300,1,1]");
 
     ExrLayout other;
     other.attributes = description;
     other.channels = {{"X", 0.1F}, {"Y", 0.1F}, {"Z", 0.1F}};
-    files.append({"texton-other-channels.exr", exrBytes(other)});
+    files.append(NamedBytes{"texton-other-channels.exr", exrBytes(other)});
     ExrLayout nan;
     nan.attributes = description;
     for (float& value : nan.channels)
         value = std::numeric_limits<float>::quiet_NaN();
-    files.append({"texton-nan.exr", exrBytes(nan)});
-    files.append({"texton-none.exr", exrBytes({})});
+    files.append(NamedBytes{"texton-nan.exr", exrBytes(nan)});
+    files.append(NamedBytes{"texton-none.exr", exrBytes({})});
     return files;
 }
 
@@ -416,18 +365,15 @@ QList<NamedBytes> brokenSidecars(const QByteArray& good) {
     const QJsonObject description = QJsonDocument::fromJson(good).object();
     QList<NamedBytes> files;
     const auto add = [&](const QByteArray& name, const QByteArray& text) {
-        files.append({"sidecar-" + name + ".png", text});
+        files.append(NamedBytes{"sidecar-" + name + ".png", text});
     };
-    for (const QString& key : description.keys()) {
-        // The only entry that is for people.
-        if (key == "program")
-            continue;
+    for (const char* key : {"format", "mean"}) {
         QJsonObject without = description;
         without.remove(key);
-        add("without-" + key.toUtf8(), QJsonDocument(without).toJson());
+        add(QByteArray("without-") + key, QJsonDocument(without).toJson());
         QJsonObject other = description;
         other[key] = QJsonObject{{"a", 1}};
-        add("object-" + key.toUtf8(), QJsonDocument(other).toJson());
+        add(QByteArray("object-") + key, QJsonDocument(other).toJson());
     }
     // As text: numbers that QJsonDocument cannot hold.
     const auto with = [&](const char* name, const char* key, const QByteArray& value) {
@@ -436,41 +382,19 @@ QList<NamedBytes> brokenSidecars(const QByteArray& good) {
         add(name, QJsonDocument(marked).toJson().replace("\"MARK\"", value));
     };
     with("version-2", "version", "2");
-    with("channels-text", "channels", "\"3\"");
-    with("channels-half", "channels", "2.5");
     with("channels-1", "channels", "1");
-    with("channels-0", "channels", "0");
     with("kernels-2", "kernels", "2");
-    with("kernels-huge", "kernels", "1000000");
     with("order-2", "interpolation_order", "2");
-    with("frame", "frame", "7");
-    with("wider", "support_width", "9");
-    with("negative", "support_width", "-8");
     with("largest", "support_width", "2147483647");
-    with("beyond-64-bit", "support_width", "99999999999999999999999");
-    with("unsigned", "support_width", "18446744073709551615");
-    with("huge-width", "support_width", "1e300");
     with("shape", "support_shape", "\"star\"");
-    with("mean-two", "mean", "[0.5,0.5]");
-    with("mean-texts", "mean", "[\"a\",\"b\",\"c\"]");
     with("mean-beyond-float", "mean", "[1e300,0,0]");
-    with("mean-infinite", "mean", "[1e999,0,0]");
     with("mean-nan", "mean", "[NaN,0,0]");
     with("scale-huge", "scale", "[1e300,1,1]");
-    with("bias-huge", "bias", "[1,1e300,1]");
-    with("color-space", "color_space", "\"violet\"");
     with("mni-0", "mni", "0");
-    with("mni-huge", "mni", "1e9");
-    with("process", "process", "\"magic\"");
-    with("seed-negative", "seed", "-1");
     with("seed-huge", "seed", "4294967296");
-    with("format", "format", "\"picture\"");
     add("empty", {});
-    add("text", "not JSON at all");
     add("half", good.left(good.size() / 2));
     add("array", "[1,2,3]");
-    add("string", "\"texton\"");
-    add("null", "null");
     add("not-utf8", "{\"format\":\"\xff\xfe\"}");
     add("nested", QByteArray(10000, '['));
     add("nested-closed", QByteArray(10000, '[') + QByteArray(10000, ']'));

@@ -2,9 +2,10 @@
 #include "tests/cli/BadFiles.h"
 
 #include <QtTest>
-#include <cerrno>
+#include <algorithm>
 #include <csignal>
 #include <functional>
+#include <limits>
 #include <linux/capability.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -77,6 +78,18 @@ void addRows(const Row (&rows)[N], const Conditions& conditions = {}) {
         addRow(row.arguments, split(row.arguments), row.code, row.says, conditions);
 }
 
+/// The commands one after the other: all of them for each file would take minutes.
+class Turns {
+  public:
+    template <std::size_t N>
+    explicit Turns(const char* const (&commands)[N]) : m_commands(commands, commands + N) {}
+    QString next() { return m_commands[m_next++ % m_commands.size()]; }
+
+  private:
+    QStringList m_commands;
+    qsizetype m_next = 0;
+};
+
 /// Everything below a folder, hidden things too, by the facts that any change alters.
 using Listing = QMap<QString, QString>;
 
@@ -91,13 +104,12 @@ Listing listing(const QString& folder) {
         if (::lstat(QFile::encodeName(path).constData(), &info) != 0)
             continue;
         const bool isFolder = S_ISDIR(info.st_mode);
-        result[path.mid(folder.size() + 1)] =
-            QString("mode %1 inode %2 size %3 changed %4.%5")
-                .arg(info.st_mode, 0, 8)
-                .arg(info.st_ino)
-                .arg(isFolder ? 0 : info.st_size)
-                .arg(isFolder ? 0 : info.st_ctim.tv_sec)
-                .arg(isFolder ? 0 : info.st_ctim.tv_nsec);
+        result[path.mid(folder.size() + 1)] = QString("mode %1 inode %2 size %3 changed %4.%5")
+                                                  .arg(info.st_mode, 0, 8)
+                                                  .arg(info.st_ino)
+                                                  .arg(isFolder ? 0 : info.st_size)
+                                                  .arg(isFolder ? 0 : info.st_ctim.tv_sec)
+                                                  .arg(isFolder ? 0 : info.st_ctim.tv_nsec);
     }
     return result;
 }
@@ -358,45 +370,22 @@ void TestBadInput::checkRefused() const {
 
 void TestBadInput::wrongUsage_data() {
     addColumns();
+    addRow("output over the exemplar", {"periodic", "good.png", "-o", "./good.png"}, 1, "good.png");
     addRow("no arguments", {}, 2, "subcommand");
     const Row rows[] = {
         {"frobnicate", 2, "frobnicate"},
-        {"frobnicate good.png -o old.png", 2, "frobnicate"},
         {"_", 2, "texton"},
         {"--frobnicate", 2, "--frobnicate"},
-        {"compute", 2, "EXEMPLAR"},
         {"compute good.png", 2, "--output"},
-        {"compute -o old.exr", 2, "EXEMPLAR"},
-        {"compute good.png -o", 2, "--output"},
-        {"compute good.png good.jpg -o old.exr", 2, "good.jpg"},
         {"compute good.png -o old.exr --frobnicate", 2, "--frobnicate"},
-        {"compute good.png -o old.exr --size 5x5", 2, "--size"},
         {"compute good.png -o old.exr --support", 2, "--support"},
-        {"compute good.png -o old.exr --json=maybe", 2, "--json"},
-        {"compute good.png -o old.exr --seed 1 --seed 2", 2, "--seed"},
-        {"gaussian good.png", 2, "--output"},
-        {"gaussian -o old.png", 2, "EXEMPLAR"},
         {"gaussian good.png -o old.png -o new.png", 2, "--output"},
-        {"gaussian good.png -o old.png --json", 2, "--json"},
-        {"periodic good.png", 2, "--output"},
-        {"periodic good.png -o old.png --seed 1", 2, "--seed"},
         {"noise", 2, "required"},
         {"noise t.exr -o old.png", 2, "--size"},
-        {"noise t.exr --size 8x8", 2, "--output"},
-        {"noise -o old.png --size 8x8", 2, "TEXTON"},
-        {"noise t.exr t.png -o old.png --size 8x8", 2, "t.png"},
-        {"compare", 2, "required"},
         {"compare good.png", 2, "B"},
-        {"compare good.png good.jpg good.tif", 2, "good.tif"},
-        {"compare good.png good.jpg -o old.png", 2, "-o"},
         {"sheet good.png", 2, "--output"},
-        {"sheet good.png -o old.png --tile", 2, "--tile"},
         {"info", 2, "FILE"},
-        {"info good.png good.jpg", 2, "good.jpg"},
-        {"info good.png --frobnicate", 2, "--frobnicate"},
         {"sample wood", 2, "--output"},
-        {"sample -o old.png", 2, "NAME"},
-        {"sample info", 2, "--output"},
         {"info good.png compare good.png good.png", 2, "compare"},
     };
     addRows(rows);
@@ -408,109 +397,49 @@ void TestBadInput::valuesOutOfRange_data() {
     const Row rows[] = {
         {"compute good.png -o old.exr --support 0", 2, "--support"},
         {"compute good.png -o old.exr --support -1", 2, "--support"},
-        {"compute good.png -o old.exr --support=-1", 2, "--support"},
         {"compute good.png -o old.exr --support axb", 2, "--support"},
-        {"compute good.png -o old.exr --support 5x", 2, "--support"},
-        {"compute good.png -o old.exr --support x5", 2, "--support"},
-        {"compute good.png -o old.exr --support 5x5x5", 2, "--support"},
-        {"compute good.png -o old.exr --support 5x0", 2, "--support"},
-        {"compute good.png -o old.exr --support 5.5", 2, "--support"},
-        {"compute good.png -o old.exr --support 1e3", 2, "--support"},
         {"compute good.png -o old.exr --support 99999999999", 2, "--support"},
-        {"compute good.png -o old.exr --support _", 2, "--support"},
         {"compute good.png -o old.exr", 1, "good.png"}, // 64 x 64 by default
-        {"compute good.png -o old.exr --support 49x32", 1, "good.png"},
-        {"compute good.png -o old.exr --support 48x33", 1, "good.png"},
         {"compute good.png -o old.exr --support 16777216", 1, "good.png"},
         {"compute good.png -o old.exr --support 8x9 --shape disc", 1, "--support"},
-        {"compute good.png -o old.exr --support 33 --shape disc", 1, "good.png"},
         {"compute good.png -o old.exr --support 16777216 --shape disc", 1, "good.png"},
         {"compute good.png -o old.exr --support 8 --shape star", 2, "--shape"},
         {"compute good.png -o old.exr --support 8 --order 2", 2, "--order"},
-        {"compute good.png -o old.exr --support 8 --order -1", 2, "--order"},
-        {"compute good.png -o old.exr --support 8 --order linear", 2, "--order"},
-        {"compute good.png -o old.exr --support 8 --method magic", 2, "--method"},
         {"compute good.png -o old.exr --support 8 --iterations 0", 2, "--iterations"},
-        {"compute good.png -o old.exr --support 8 --iterations -3", 2, "--iterations"},
-        {"compute good.png -o old.exr --support 8 --iterations 100001", 2, "--iterations"},
-        {"compute good.png -o old.exr --support 8 --iterations 1e99", 2, "--iterations"},
         {"compute good.png -o old.exr --support 8 --momentum 1", 2, "--momentum"},
-        {"compute good.png -o old.exr --support 8 --momentum -0.1", 2, "--momentum"},
         {"compute good.png -o old.exr --support 8 --momentum nan", 1, "momentum"},
-        {"compute good.png -o old.exr --support 8 --seed -1", 2, "--seed"},
         {"compute good.png -o old.exr --support 8 --seed 4294967296", 2, "--seed"},
-        {"compute good.png -o old.exr --support 8 --seed x", 2, "--seed"},
         {"compute good.png -o old.exr --support 8 --crop 0,0,0,5", 2, "--crop"},
-        {"compute good.png -o old.exr --support 8 --crop 1,2,3", 2, "--crop"},
-        {"compute good.png -o old.exr --support 8 --crop 40,0,9,9", 1, "good.png"},
-        {"compute good.png -o old.exr --support 8 --crop=-1,0,9,9", 1, "good.png"},
         {"compute good.png -o old.exr --support 8 --crop 9223372036854775807,0,9,9", 1, "good.png"},
-        {"compute good.png -o old.exr --support 8 --crop 0,0,4,4", 1, "good.png"},
         {"compute good.png -o old.exr --support 8 --rotate nan", 1, "good.png"},
-        {"compute good.png -o old.exr --support 8 --rotate inf", 1, "good.png"},
-        {"compute good.png -o old.exr --support 8 --rotate north", 2, "--rotate"},
         {"compute pixel.png -o old.exr --support 1 --rotate 45", 1, "pixel.png"},
-        {"compute good.png -o old.exr --support 8 --flatten 0", 2, "--flatten"},
-        {"compute good.png -o old.exr --support 8 --flatten -8", 2, "--flatten"},
         {"compute good.png -o old.exr --support 8 --flatten nan", 1, "good.png"},
-        {"gaussian good.png -o old.png --size 0x0", 2, "--size"},
         {"gaussian good.png -o old.png --size -5x5", 2, "--size"},
-        {"gaussian good.png -o old.png --size 64", 2, "--size"},
         {"gaussian good.png -o old.png --size 16777216x16777216", 1, "16777216"},
-        {"gaussian good.png -o old.png --size 16777217x8", 2, "--size"},
-        {"gaussian good.png -o old.png --model magic", 2, "--model"},
         {"gaussian good.png -o old.png --depth 12", 2, "--depth"},
-        {"gaussian good.png -o old.png --depth float", 1, "old.png"},
         {"gaussian good.png -o old.jpg --depth 16", 1, "old.jpg"},
         {"periodic good.png -o old.exr --depth 8", 1, "old.exr"},
-        {"periodic good.png -o old.png --crop 0,0,-4,4", 2, "--crop"},
         {"noise t.exr -o old.png --size 0x0", 2, "--size"},
         {"noise t.exr -o old.png --size -5x5", 2, "--size"},
-        {"noise t.exr -o old.png --size=-5x5", 2, "--size"},
         {"noise t.exr -o old.png --size 99999999999x1", 2, "--size"},
-        {"noise t.exr -o old.png --size 16", 2, "--size"},
         {"noise t.exr -o old.png --size 16777216x16777216", 1, "old.png"},
         {"noise t.exr -o old.png --size 8x8 --mni 0", 2, "--mni"},
         {"noise t.exr -o old.png --size 8x8 --mni -3", 2, "--mni"},
         {"noise t.exr -o old.png --size 8x8 --mni 1e9", 2, "--mni"},
-        {"noise t.exr -o old.png --size 8x8 --mni many", 2, "--mni"},
         {"noise t.exr -o old.png --size 8x8 --mni nan", 1, "MNI"},
         {"noise t.exr -o old.png --size 8x8 --scale 0", 2, "--scale"},
-        {"noise t.exr -o old.png --size 8x8 --scale -1", 2, "--scale"},
         {"noise t.exr -o old.png --size 8x8 --scale 1e9", 2, "--scale"},
         {"noise t.exr -o old.png --size 8x8 --scale nan", 1, "scale"},
-        {"noise t.exr -o old.png --size 8x8 --scale nan --tile", 1, "scale"},
         {"noise t.exr -o old.png --size 8x8 --threads 0", 2, "--threads"},
-        {"noise t.exr -o old.png --size 8x8 --threads -1", 2, "--threads"},
-        {"noise t.exr -o old.png --size 8x8 --threads 1025", 2, "--threads"},
-        {"noise t.exr -o old.png --size 8x8 --process magic", 2, "--process"},
-        {"noise t.exr -o old.png --size 8x8 --seed -1", 2, "--seed"},
-        {"noise t.exr -o old.png --size 8x8 --origin 3", 2, "--origin"},
-        {"noise t.exr -o old.png --size 8x8 --origin a,b", 2, "--origin"},
-        {"noise t.exr -o old.png --size 8x8 --origin 1e30,0", 2, "--origin"},
         {"noise t.exr -o old.png --size 8x8 --origin 99999999999999999999,0", 2, "--origin"},
         {"noise t.exr -o old.png --size 8x8 --origin 1000000000,0", 1, "plane"},
-        {"noise t.exr -o old.png --size 8x8 --origin 0,-1000000000", 1, "plane"},
-        {"noise t.exr -o old.png --size 8x8 --origin 9223372036854775807,0", 1, "plane"},
         {"noise t.exr -o old.png --size 8x8 --origin 0,9223372036854775807", 1, "plane"},
-        {"noise t.exr -o old.png --size 8x8 --origin=-9223372036854775808,0", 1, "plane"},
         {"noise t.exr -o old.png --size 8x8 --origin=0,-9223372036854775808", 1, "plane"},
         {"compare good.png good.jpg --lag -1", 2, "--lag"},
-        {"compare good.png good.jpg --lag 4097", 2, "--lag"},
-        {"compare good.png good.jpg --lag far", 2, "--lag"},
         {"compare good.png good.jpg --lag 32", 1, "lag"},
-        {"sheet good.png -o old.png --support 64", 1, "good.png"},
-        {"sheet good.png -o old.png --support 8 --noise-seed -1", 2, "--noise-seed"},
-        {"sheet good.png -o old.png --support 8 --mni 0", 2, "--mni"},
         {"sheet good.png -o old.png --support 8 --mni nan", 1, "MNI"},
         {"sample granite -o old.png", 1, "granite"},
-        {"sample _ -o old.png", 1, "sample"},
         {"sample wood -o old.png --size 15x16", 1, "15 x 16"},
-        {"sample wood -o old.png --size 16385x16", 1, "16385 x 16"},
-        {"sample wood -o old.png --size 0x0", 2, "--size"},
-        {"sample wood -o old.png --size -5x5", 2, "--size"},
-        {"sample wood -o old.png --seed -1", 2, "--seed"},
-        {"sample wood -o old.png --depth half", 1, "old.png"},
     };
     addRows(rows);
     addRow("sample with control characters", {"sample", "a\n\x1b[2J", "-o", "old.png"}, 1, "a");
@@ -541,18 +470,21 @@ void TestBadInput::notFiles_data() {
                            "/dev/null",
                            "/dev/zero",
                            "/dev/full"};
+    Turns turns(commands);
     for (const char* name : names) {
-        for (const char* command : commands) {
-            const QString line = QString(command).arg(name);
-            addRow(line.toUtf8(), split(line), 1, name);
-        }
+        const QString line = turns.next().arg(name);
+        addRow(line.toUtf8(), split(line), 1, name);
     }
     const QString longName = QString(300, 'n') + ".png";
-    for (const char* command : commands) {
-        const QString line = QString(command);
-        addRow(line.arg("TOO-LONG").toUtf8(), split(line.arg(longName)), 1, "nnnn");
-        addRow(line.arg("EMPTY").toUtf8(), split(line.arg("_")), 1, "''");
-    }
+    addRow("info TOO-LONG", {"info", longName}, 1, "nnnn");
+    addRow("noise TOO-LONG", {"noise", longName, "-o", "old.png", "--size", "8x8"}, 1, "nnnn");
+    const Row rows[] = {
+        {"noise _ -o old.png --size 8x8", 1, "''"},
+        {"noise pipe.png -o old.png --size 8x8", 1, "pipe.png"},
+        {"noise pipe.texton -o old.png --size 8x8", 1, "pipe.texton"},
+        {"noise missing.texton -o old.png --size 8x8", 1, "missing.texton"},
+    };
+    addRows(rows);
 }
 
 void TestBadInput::brokenPictures_data() {
@@ -567,12 +499,12 @@ void TestBadInput::brokenPictures_data() {
                               "compute %1 --support 2 --json -o new.texton -o old.png",
                               "compare %1 good.png --json",
                               "noise %1 -o new.png --size 8x8"};
-    std::size_t next = 0;
+    Turns turns(commands);
     for (const NamedBytes& file : m_pictures) {
-        const bool isTextonText = file.name == "texton.png"; // which is no picture, but a texton
-        const char* command = isTextonText ? commands[1] : commands[next++ % std::size(commands)];
         const QString name = QString::fromUtf8(file.name);
-        const QString line = QString(command).arg(name);
+        // This one is no picture, and yet a texton.
+        const QString line =
+            (name == "texton.png" ? "periodic %1 -o old.png" : turns.next()).arg(name);
         addRow(line.toUtf8(), split(line), 1, name);
     }
 }
@@ -581,30 +513,16 @@ void TestBadInput::uselessExemplars_data() {
     addColumns();
     const Row rows[] = {
         {"compute nan.exr --support 2 -o old.exr", 1, "nan.exr"},
-        {"gaussian nan.exr -o old.png", 1, "nan.exr"},
-        {"periodic nan.exr -o old.png", 1, "nan.exr"},
         {"compare good.png nan.exr", 1, "nan.exr"},
-        {"sheet nan.exr --support 2 -o old.png", 1, "nan.exr"},
         {"compute nan.exr --support 2 --rotate 7 --flatten 2 -o old.exr", 1, "nan.exr"},
-        {"compute infinite.exr --support 2 -o old.exr", 1, "infinite.exr"},
         {"compute huge.exr --support 2 -o old.exr", 1, "huge.exr"},
         {"compute nineteen.exr --support 2 -o old.exr", 1, "nineteen.exr"},
         {"compute flat.png --support 8 -o old.exr", 1, "flat.png"},
-        {"compute flat.png --support 8 -o old.exr --linear --no-periodic", 1, "flat.png"},
-        {"sheet flat.png --support 8 -o old.png", 1, "flat.png"},
         {"compare flat.png good.png", 1, "flat.png"},
         {"compute pixel.png --support 1 -o old.exr", 1, "pixel.png"},
-        {"compute pixel.png --support 2 -o old.exr", 1, "pixel.png"},
-        {"compute row.png -o old.exr", 1, "row.png"},
         {"compute row.png --support 49x1 -o old.exr", 1, "row.png"},
-        {"compute row.png --support 8x2 -o old.exr", 1, "row.png"},
-        {"compute column.png --support 1x49 -o old.exr", 1, "column.png"},
-        {"compute column.png --support 2x8 -o old.exr", 1, "column.png"},
         {"compare good.png two.exr", 1, "two.exr"},
-        {"compare t.exr two.exr", 1, "two.exr"},
         {"compute t.texton --support 2 -o old.exr", 1, "t.texton"},
-        {"gaussian t.texton -o old.png", 1, "t.texton"},
-        {"compute two.exr --support 2 -o new.jpg", 1, "new.jpg"},
     };
     addRows(rows);
     addRow("NaN and a name with control characters",
@@ -618,18 +536,12 @@ void TestBadInput::brokenTextons_data() {
     addColumns();
     for (const NamedBytes& file : m_textons) {
         const QString name = QString::fromUtf8(file.name);
-        addRow("noise " + file.name,
-               {"noise", name, "-o", "old.png", "--size", "8x8"},
-               1,
-               name);
+        addRow("noise " + file.name, {"noise", name, "-o", "old.png", "--size", "8x8"}, 1, name);
     }
     const Row rows[] = {
         {"noise good.png -o new.png --size 8x8", 1, "good.png"},
         {"noise good.exr -o new.exr --size 8x8", 1, "good.exr"},
         {"noise lost.png -o new.png --size 8x8", 1, "lost.png"},
-        {"noise t.png.json -o new.png --size 8x8", 1, "t.png.json"},
-        {"info version-2.texton", 1, "version-2.texton"},
-        {"compare border.texton good.png", 1, "border.texton"},
         {"compare good.png texton-nan.exr", 1, "texton-nan.exr"},
     };
     addRows(rows);
@@ -676,34 +588,27 @@ void TestBadInput::impossibleOutputs_data() {
                            "to-full.png",
                            "/dev/full",
                            "/dev/null"};
-    const QString longName = QString(300, 'n') + ".png";
-    for (const char* command : commands) {
-        for (const char* name : names) {
-            const QString line = QString(command).arg(name);
-            addRow(line.toUtf8(), split(line), 1, name);
-        }
-        addRow(QString(command).arg("TOO-LONG").toUtf8(),
-               split(QString(command).arg(longName)),
-               1,
-               "nnnn");
-        addRow(QString(command).arg("EMPTY").toUtf8(), split(QString(command).arg("_")), 1, "''");
+    Turns turns(commands);
+    for (const char* name : names) {
+        const QString line = turns.next().arg(name);
+        addRow(line.toUtf8(), split(line), 1, name);
     }
+    addRow("name that is too long",
+           split("sample wood --size 16x16 -o " + QString(300, 'n') + ".png"),
+           1,
+           "nnnn");
     const Row rows[] = {
         {"compute good.png --support 8 --iterations 1 -o new.jpg", 1, "new.jpg"},
-        {"compute good.png --support 8 --iterations 1 -o new.exr -o new.exr", 1, "new.exr"},
+        {"compute good.png --support 8 --iterations 1 -o _", 1, "''"},
+        {"compute good.png --support 8 --iterations 1 -o pipe.texton", 1, "pipe.texton"},
+        {"compute two.exr --support 2 --iterations 1 -o new.exr -o new.texton", 1, "new.texton"},
+        {"compute two.exr --support 2 --iterations 1 -o new.exr -o new.png", 1, "new.png"},
         {"compute good.png --support 8 --iterations 1 -o old.exr -o ./old.exr", 1, "old.exr"},
         {"compute good.png --support 8 --iterations 1 -o new.exr -o nowhere/new.exr", 1, "nowhere"},
-        {"compute good.png --support 8 --iterations 1 -o old.exr -o folder.png", 1, "folder.png"},
-        {"compute good.png --support 8 --iterations 1 -o old.exr -o new.jpg", 1, "new.jpg"},
         {"compute good.png --support 8 --iterations 1 -o new.exr -o blocked.png", 1, "blocked.png"},
         {"noise t.exr --size 8x8 -o new.texton", 1, "new.texton"},
         {"noise t.exr --size 1000001x8 -o new.png", 1, "new.png"},
-        {"noise t.exr --size 65536x8 -o new.jpg", 1, "new.jpg"},
-        {"noise t.exr --size 65536x8 -o new.tga", 1, "new.tga"},
-        {"noise t.exr --size 16384x8 -o new.webp", 1, "new.webp"},
         {"gaussian two.exr -o new.png", 1, "new.png"},
-        {"gaussian two.exr -o new.jpg", 1, "new.jpg"},
-        {"periodic two.exr -o new.hdr", 1, "new.hdr"},
     };
     addRows(rows);
     // The output fits into a name, its sidecar does not.
@@ -718,16 +623,10 @@ void TestBadInput::permissions_data() {
     addColumns();
     const Row rows[] = {
         {"info secret.png", 1, "secret.png"},
-        {"compute secret.png --support 8 -o old.exr", 1, "secret.png"},
-        {"compare good.png secret.png", 1, "secret.png"},
         {"noise secret.texton -o old.png --size 8x8", 1, "secret.texton"},
         {"info closed/good.png", 1, "closed/good.png"},
-        {"info closed/t.texton", 1, "closed/t.texton"},
         {"sample wood --size 16x16 -o locked/new.png", 1, "locked/new.png"},
-        {"sample wood --size 16x16 -o closed/new.png", 1, "closed/new.png"},
         {"sample wood --size 16x16 -o locked.png", 1, "locked.png"},
-        {"noise t.exr --size 8x8 -o locked/new.exr", 1, "locked/new.exr"},
-        {"gaussian good.png -o closed/new.jpg", 1, "closed/new.jpg"},
         {"compute good.png --support 8 --iterations 1 -o locked/new.texton", 1, "locked/new"},
         {"compute good.png --support 8 --iterations 1 -o new.exr -o locked/new.exr", 1, "locked/"},
         {"compute good.png --support 8 --iterations 1 -o old.exr -o locked.png", 1, "locked.png"},
@@ -740,28 +639,24 @@ void TestBadInput::fullDisk_data() {
     const auto add = [](const QString& line, const QString& says, qint64 bytes) {
         addRow(line.toUtf8() + " in " + QByteArray::number(bytes), split(line), 1, says, {bytes});
     };
-    // Nothing fits, half of it fits, all but the last byte fits.
+    // All but the last byte fits.
     for (const char* ending : {"png", "jpg", "tif", "exr", "hdr", "tga", "bmp", "webp"}) {
         const qint64 whole = size(QString("good.%1").arg(ending));
-        for (const qint64 bytes : {qint64{0}, whole / 2, whole - 1})
-            add(QString("sample wood --size 48x32 -o new.%1").arg(ending),
-                QString("new.%1").arg(ending),
-                bytes);
+        add(QString("sample wood --size 48x32 -o new.%1").arg(ending),
+            QString("new.%1").arg(ending),
+            whole - 1);
     }
+    add("sample wood --size 48x32 -o old.png", "old.png", 0);
     add("noise t.exr --size 1024x1024 -o old.exr", "old.exr", 20'000);
     add("noise t.exr --size 1024x1024 -o new.exr --depth float", "new.exr", 1'000'000);
     add("noise t.exr --size 512x512 -o old.png", "old.png", 20'000);
-    add("noise t.exr --size 512x512 -o new.jpg", "new.jpg", 20'000);
     add("gaussian good.png -o old.png", "old.png", 1000);
-    add("periodic good.png -o old.exr", "old.exr", 1000);
     add("sheet good.png --support 8 --iterations 1 -o old.png", "old.png", 10'000);
     const QString compute = "compute good.png --support 8 --iterations 2 -o ";
     for (const char* ending : {"png", "exr", "texton"}) {
         const QString name = QString("new.%1").arg(ending);
-        add(compute + name, name, 0);
         add(compute + name, name, size(QString("t.%1").arg(ending)) - 1);
     }
-    add(compute + "old.texton", "old.texton", 1000);
     // The second does not fit, and the first must not appear either.
     const qint64 text = size("t.texton");
     const qint64 picture = size("t.exr") + 100;
@@ -784,13 +679,11 @@ void TestBadInput::fullStandardOutput() {
 void TestBadInput::oddButRight_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QStringList>("changed");
-    const auto add = [](const char* name, const QStringList& arguments, const QStringList& changed) {
-        QTest::newRow(name) << arguments << changed;
-    };
+    const auto add =
+        [](const char* name, const QStringList& arguments, const QStringList& changed) {
+            QTest::newRow(name) << arguments << changed;
+        };
     const QStringList solve{"--support", "4", "--iterations", "1"};
-    const QString copy = "in place.png";
-    write(copy.toUtf8(), bytes("good.png"));
-    write("png.jpg", bytes("good.png"));
     write("jpeg.png", bytes("good.jpg"));
     write("exr.bmp", bytes("good.exr"));
     write("noise", bytes("good.png"));
@@ -802,33 +695,36 @@ void TestBadInput::oddButRight_data() {
     write(unicode.toUtf8(), bytes("good.png"));
     write("two\nlines.png", bytes("good.png"));
     write("[a,b].png", bytes("good.png"));
-    ::symlink("good.png", QFile::encodeName(path("to-good.png")).constData());
 
-    add("a PNG called .jpg", {"info", "png.jpg"}, {});
-    add("a JPEG called .png", QStringList{"compute", "jpeg.png", "-o", "1.exr"} + solve,
+    add("a JPEG called .png",
+        QStringList{"compute", "jpeg.png", "-o", "1.exr"} + solve,
         {"1.exr", "1.exr.json"});
     add("an EXR called .bmp", {"periodic", "exr.bmp", "-o", "2.png"}, {"2.png"});
     add("a texton called .dat", {"noise", "text.dat", "-o", "3.png", "--size", "8x8"}, {"3.png"});
     add("a file called like a subcommand", {"info", "noise"}, {});
     add("more after the end of a JPEG", {"info", "trailing.jpg"}, {});
     add("more after the end of a PNG", {"info", "trailing.png"}, {});
-    add("ending in capitals", {"sample", "wood", "-o", "4.PNG", "--size", "16x16"}, {"4.PNG"});
     add("leading dash", {"periodic", "./-x.png", "-o", "./-y.png"}, {"-y.png"});
     add("spaces", {"periodic", copy, "-o", " a  b .png"}, {" a  b .png"});
-    add("Unicode", QStringList{"compute", unicode, "-o", unicode + ".png", "--json"} + solve,
+    add("Unicode",
+        QStringList{"compute", unicode, "-o", unicode + ".png", "--json"} + solve,
         {unicode + ".png", unicode + ".png.json"});
-    add("newline", {"periodic", "two\nlines.png", "-o", "three\n\nlines.png"},
+    add("newline",
+        {"periodic", "two\nlines.png", "-o", "three\n\nlines.png"},
         {"three\n\nlines.png"});
-    add("brackets and commas", QStringList{"compute", "[a,b].png", "-o", "[c,d].exr"} + solve,
+    add("brackets and commas",
+        QStringList{"compute", "[a,b].png", "-o", "[c,d].exr"} + solve,
         {"[c,d].exr", "[c,d].exr.json"});
-    add("link to the exemplar", {"gaussian", "to-good.png", "-o", "5.png"}, {"5.png"});
-    add("output over the exemplar", {"periodic", copy, "-o", copy}, {copy});
-    add("output over an old one", {"noise", "t.png", "-o", "old.jpg", "--size", "8x8"}, {"old.jpg"});
+    add("output over an old one",
+        {"noise", "t.png", "-o", "old.jpg", "--size", "8x8"},
+        {"old.jpg"});
     const QString longest = QString(251, 'n') + ".png";
     add("longest name", {"sample", "wood", "-o", longest, "--size", "16x16"}, {longest});
-    add("one row", {"compute", "row.png", "-o", "6.exr", "--support", "8x1"},
+    add("one row",
+        {"compute", "row.png", "-o", "6.exr", "--support", "8x1"},
         {"6.exr", "6.exr.json"});
-    add("one column", {"compute", "column.png", "-o", "7.exr", "--support", "1x48"},
+    add("one column",
+        {"compute", "column.png", "-o", "7.exr", "--support", "1x48"},
         {"7.exr", "7.exr.json"});
     add("support as large as the exemplar",
         {"compute", "good.png", "-o", "8.exr", "--support", "48x32", "--iterations", "1"},
@@ -840,12 +736,10 @@ void TestBadInput::oddButRight_data() {
     add("tile smaller than the texton",
         {"noise", "t.exr", "-o", "11.png", "--size", "3x2", "--tile"},
         {"11.png"});
-    add("two channels to EXR", {"gaussian", "two.exr", "-o", "12.exr"}, {"12.exr"});
     add("flat picture", {"gaussian", "flat.png", "-o", "13.png"}, {"13.png"});
     add("one pixel", {"gaussian", "pixel.png", "-o", "14.png", "--size", "4x4"}, {"14.png"});
     add("--help", {"--help"}, {});
     add("--version", {"--version"}, {});
-    add("compute --help", {"compute", "--help"}, {});
 }
 
 void TestBadInput::oddButRight() {
@@ -878,49 +772,46 @@ void TestBadInput::outputBehindLink() {
 }
 
 void TestBadInput::nameThatIsNotUnicode() {
-    // QProcess passes text only: the shell makes the bytes. A sidecar names the exemplar.
-    const QString script = QString("name=$(printf 'wood\\377.png'); cp good.png \"$name\" && "
-                                   "'%1' compute \"$name\" -o \"$name.exr\" --support 4 --json && "
-                                   "'%1' noise \"$name.exr\" -o \"$name\" --size 8x8 && "
-                                   "'%1' info \"$name\" --json")
-                               .arg(TXN_TEXTON_PROGRAM);
+    // QProcess passes text only and Qt cannot remove such files: the shell does both. What is
+    // written names the exemplar.
+    const QString script =
+        QString("trap 'rm -f wood*' EXIT; name=$(printf 'wood\\377.png'); cp good.png \"$name\" && "
+                "'%1' compute \"$name\" -o \"$name.exr\" --support 4 --json && "
+                "'%1' noise \"$name.exr\" -o \"$name\" --size 8x8 && "
+                "'%1' info \"$name\" --json")
+            .arg(TXN_TEXTON_PROGRAM);
     QProcess process;
     process.setWorkingDirectory(m_folder.path());
     process.start("/bin/sh", {"-c", script});
     QVERIFY(process.waitForFinished(kTimeoutMs));
     QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
-    // Or else the folder could not be removed.
-    QProcess::execute("/bin/sh", {"-c", QString("rm '%1'/wood*").arg(m_folder.path())});
 }
 
 void TestBadInput::stopsOnSignal_data() {
     QTest::addColumn<QString>("arguments");
     QTest::addColumn<int>("number");
-    QTest::addColumn<bool>("writesEarly");
-    const auto add = [](const char* arguments, int number, bool writesEarly) {
-        QTest::newRow(arguments) << arguments << number << writesEarly;
+    const auto add = [](const char* arguments, int number) {
+        QTest::newRow(arguments) << arguments << number;
     };
-    add("noise t.exr -o new.exr --size 20000x20000", SIGINT, true);
-    add("noise t.exr -o old.exr --size 20000x20000", SIGTERM, true);
-    add("noise t.png -o old.png --size 20000x20000 --scale 3", SIGHUP, true);
-    add("compute good.png -o new.exr --support 16 --iterations 100000", SIGTERM, false);
-    add("sheet good.png -o old.png --support 16 --iterations 100000", SIGINT, false);
+    add("noise t.exr -o new.exr --size 20000x20000", SIGINT);
+    add("noise t.exr -o old.exr --size 20000x20000", SIGTERM);
+    add("noise t.png -o old.png --size 20000x20000 --scale 3", SIGHUP);
+    add("compute good.png -o new.exr --support 16 --iterations 100000", SIGTERM);
+    add("sheet good.png -o old.png --support 16 --iterations 100000", SIGINT);
+    add("sample wood -o new.exr --size 6000x6000", SIGINT);
+    add("gaussian good.png -o old.png --size 6000x6000", SIGTERM);
 }
 
 void TestBadInput::stopsOnSignal() {
     QFETCH(QString, arguments);
     QFETCH(int, number);
-    QFETCH(bool, writesEarly);
     constexpr int kStopMs = 10'000 * kSlowdown;
     const Listing before = listing(m_folder.path());
     QElapsedTimer timer;
     const Outcome outcome = run(split(arguments), {}, [&](QProcess& process, Outcome&) {
         process.waitForStarted();
-        // Noise writes from the start, beside its output; the others show nothing of what they do.
-        const auto begun = [&] { return differences(before, listing(m_folder.path())).size() > 0; };
-        if (writesEarly)
-            QTRY_VERIFY_WITH_TIMEOUT(begun(), kTimeoutMs);
-        QTest::qWait(writesEarly ? 300 : 500 * kSlowdown);
+        // Nothing shows from outside that the work has begun: files have no names until the end.
+        QTest::qWait(1000 * kSlowdown);
         timer.start();
         ::kill(static_cast<pid_t>(process.processId()), number);
     });

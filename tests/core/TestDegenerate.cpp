@@ -26,6 +26,9 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// Almost the largest sample that is allowed.
+constexpr double kLargest = 0.99 * static_cast<double>(Exemplar::kLargestSample);
+
 /// An image by a formula.
 Image imageOf(Size size, int channels, const std::function<double(int, int, int)>& value) {
     Image image(size, channels);
@@ -47,8 +50,7 @@ Image scaled(Image image, double factor) {
 bool finite(const Comparison& result) {
     return allFinite(result.meanA) && allFinite(result.meanB) &&
            std::isfinite(result.meanDifference) && std::isfinite(result.covarianceError) &&
-           std::isfinite(result.autocovarianceError) &&
-           std::isfinite(result.spectrumDifference) &&
+           std::isfinite(result.autocovarianceError) && std::isfinite(result.spectrumDifference) &&
            std::isfinite(result.relativeModelError.value_or(0.0));
 }
 
@@ -82,8 +84,8 @@ class TestDegenerate : public QObject {
         QTest::newRow("grey") << Image({25, 19}, 1, 0.3F) << true;
         QTest::newRow("far from zero") << Image({24, 20}, 3, 12345.678F) << true;
         QTest::newRow("one pixel") << Image({1, 1}, 3, 0.5F) << true;
-        QTest::newRow("two pixels") << imageOf({2, 1}, 1, [](int x, int, int) { return x; })
-                                    << false;
+        QTest::newRow("two pixels")
+            << imageOf({2, 1}, 1, [](int x, int, int) { return x; }) << false;
         QTest::newRow("2 x 2") << imageOf({2, 2}, 2, [](int x, int y, int c) {
             return x * (1 + c) + y;
         }) << false;
@@ -101,12 +103,11 @@ class TestDegenerate : public QObject {
         QTest::newRow("proportional channels") << imageOf({32, 20}, 3, [](int x, int y, int c) {
             return (1.0 + 0.3 * c) * std::sin(x * 1.1 + y * y * 0.1);
         }) << false;
-        QTest::newRow("one bright pixel") << imageOf({24, 20}, 1, [](int x, int y, int) {
-            return x == 5 && y == 7 ? 1.0 : 0.0;
-        }) << false;
-        QTest::newRow("checkerboard") << imageOf({24, 20}, 3, [](int x, int y, int) {
-            return (x + y) % 2;
-        }) << false;
+        QTest::newRow("one bright pixel")
+            << imageOf({24, 20}, 1, [](int x, int y, int) { return x == 5 && y == 7 ? 1.0 : 0.0; })
+            << false;
+        QTest::newRow("checkerboard")
+            << imageOf({24, 20}, 3, [](int x, int y, int) { return (x + y) % 2; }) << false;
         QTest::newRow("stripes") << imageOf({24, 20}, 3, [](int x, int, int) { return x % 2; })
                                  << false;
         QTest::newRow("slope") << imageOf({24, 20}, 3, [](int x, int y, int) {
@@ -116,9 +117,9 @@ class TestDegenerate : public QObject {
             return x == 3 && y == 4 ? 254.0 / 255.0 : 1.0;
         }) << false;
         QTest::newRow("small values") << scaled(texturedImage({24, 20}, 3, 3), 1e-15) << false;
-        QTest::newRow("large values") << scaled(texturedImage({24, 20}, 3, 4), 1e15) << false;
+        QTest::newRow("large values") << scaled(texturedImage({24, 20}, 3, 4), kLargest) << false;
         QTest::newRow("large checkerboard") << imageOf({300, 260}, 1, [](int x, int y, int) {
-            return (x + y) % 2 == 0 ? 9e14 : -9e14;
+            return (x + y) % 2 == 0 ? kLargest : -kLargest;
         }) << false;
         QTest::newRow("sixteen channels") << texturedImage({24, 20}, 16, 5) << false;
     }
@@ -129,7 +130,6 @@ class TestDegenerate : public QObject {
         auto made = makeExemplar(image, "odd");
         TXN_OK(made);
         const Exemplar& exemplar = *made;
-        const int channels = image.channels();
         QVERIFY(allFinite(periodicComponent(image).samples()));
         QVERIFY(std::isfinite(seamRatio(image)));
         const auto even = flattenLighting(image, 5.0);
@@ -143,34 +143,34 @@ class TestDegenerate : public QObject {
             for (const auto method : {GaussianMethod::Adsn, GaussianMethod::RandomPhase}) {
                 const Image sample = sampleGaussian(model, method, {1});
                 QVERIFY(allFinite(sample.samples()));
-                const auto larger = gaussianVersion(
-                    exemplar, {image.width() + 9, image.height() + 6}, method, {1}, periodic);
+                const auto larger = gaussianVersion(exemplar,
+                                                    {image.width() + 9, image.height() + 6},
+                                                    method,
+                                                    {1},
+                                                    periodic);
                 TXN_OK(larger);
                 QVERIFY(allFinite(larger->samples()));
                 if (flat) {
                     // Nothing but the mean is left, up to a rounding of single precision.
-                    for (int c = 0; c < channels; ++c) {
-                        for (const float v : sample.plane(c))
-                            TXN_AT_MOST(std::abs(static_cast<double>(v - image.at(0, 0, c))),
-                                        1e-6 * std::abs(static_cast<double>(v)));
-                    }
+                    TXN_AT_MOST(largestDifference(sample.samples(), image.samples()),
+                                1e-6 * static_cast<double>(image.at(0, 0, 0)));
                 }
             }
             for (const int order : {0, 1, 5}) {
                 const Size largest{std::min(6, image.width()), std::min(5, image.height())};
                 for (const Size size : {Size{1, 1}, largest}) {
                     bool failed = false;
-                    const Texton texton =
-                        solved(model, Support::rectangle(size), order, failed);
+                    const Texton texton = solved(model, Support::rectangle(size), order, failed);
                     QCOMPARE(failed, flat);
                     if (flat)
                         continue;
                     QVERIFY(allFinite(texton.kernels[0].samples()));
                     const Texton corrected = colorCorrected(texton, model.covariance());
                     QVERIFY(allFinite(corrected.kernels[0].samples()));
-                    for (const double scale : {1.0, 1.7, 0.6}) {
+                    for (const double scale : {1.0, 0.6}) {
                         NoiseParams params;
                         params.process = NoiseProcess::Poisson;
+                        params.meanImpacts = 2.0; // tiny supports make many impulses
                         const auto noise = NoiseGrid::create(corrected, params, scale);
                         TXN_OK(noise);
                         const auto pixels = noise->render({-3, -3, {20, 20}});
@@ -235,7 +235,8 @@ class TestDegenerate : public QObject {
         const Image& kernel = corrected.kernels[0];
         if (kind == 0) {
             for (std::size_t k = 0; k < kernel.plane(0).size(); ++k) {
-                const double limit = 1e-6 * static_cast<double>(std::abs(kernel.plane(0)[k])) + 1e-9;
+                const double limit =
+                    1e-6 * static_cast<double>(std::abs(kernel.plane(0)[k])) + 1e-9;
                 TXN_AT_MOST(std::abs(static_cast<double>(kernel.plane(1)[k] - kernel.plane(0)[k])),
                             limit);
             }
@@ -275,7 +276,7 @@ class TestDegenerate : public QObject {
         QTest::newRow("NaN") << kNan;
         QTest::newRow("infinity") << kInfinity;
         QTest::newRow("minus infinity") << -kInfinity;
-        QTest::newRow("huge") << 1.1e15F;
+        QTest::newRow("huge") << 1.1F * Exemplar::kLargestSample;
         QTest::newRow("minus huge") << -std::numeric_limits<float>::max();
     }
 

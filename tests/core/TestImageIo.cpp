@@ -325,7 +325,7 @@ class TestImageIo : public QObject {
 
     void formatByEnding_data();
     void formatByEnding();
-    void formatMayBeGiven();
+    void filesMayAppearTogether();
     void roundTrip_data();
     void roundTrip();
     void valuesBeyondOneSurvive_data();
@@ -462,13 +462,14 @@ void TestImageIo::formatByEnding() {
     }
 }
 
-void TestImageIo::formatMayBeGiven() {
-    SaveOptions options;
-    options.format = ImageFormat::OpenExr;
-    QVERIFY(bool(saveImage(waves({8, 8}, 3), path("no ending"), options)));
-    const auto loaded = loadImage(path("no ending"));
-    QVERIFY(bool(loaded));
-    QCOMPARE(loaded->format, ImageFormat::OpenExr);
+void TestImageIo::filesMayAppearTogether() {
+    OutputFiles together;
+    QVERIFY(bool(saveImage(waves({8, 8}, 3), path("a.exr"), {}, &together)));
+    QVERIFY(bool(saveImage(waves({8, 8}, 3), path("b.png"), {}, &together)));
+    QVERIFY(!loadImage(path("a.exr")));
+    QVERIFY(bool(together.commit()));
+    QVERIFY(bool(loadImage(path("a.exr"))));
+    QVERIFY(bool(loadImage(path("b.png"))));
 }
 
 void TestImageIo::roundTrip_data() {
@@ -1402,7 +1403,6 @@ void TestImageIo::abandonedWriterLeavesNothing() {
         QVERIFY(bool(writer));
         QVERIFY(bool(writer->writeRows(waves({40, 70}, channels))));
         ImageWriter moved = *std::move(writer);
-        QCOMPARE(entries(), 1);
     }
     QCOMPARE(entries(), 0);
 }

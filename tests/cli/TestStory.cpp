@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/ImageIo.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace txn;
+
+namespace {
+
+#ifdef TXN_SANITIZED
+constexpr int kTimeoutMs = 600'000;
+#else
+constexpr int kTimeoutMs = 60'000;
+#endif
+
+/// Largest difference of two samples; infinite for images that do not fit together.
+double distance(const Image& a, const Image& b) {
+    if (a.empty() || a.size() != b.size() || a.channels() != b.channels())
+        return std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.samples().size(); ++i) {
+        const double difference = std::abs(double{a.samples()[i]} - double{b.samples()[i]});
+        largest = difference <= largest ? largest : difference; // NaN stays
+    }
+    return largest;
+}
+
+/// The image read from a place inside it and around its borders.
+Image shifted(const Image& image, int left, int top) {
+    Image result = image;
+    for (int c = 0; c < image.channels(); ++c) {
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x)
+                result.at(x, y, c) =
+                    image.at((x + left) % image.width(), (y + top) % image.height(), c);
+        }
+    }
+    return result;
+}
+
+Image part(const Image& image, int left, int top, Size size) {
+    Image result(size, image.channels(), 0.0F, image.transfer());
+    for (int c = 0; c < image.channels(); ++c) {
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x)
+                result.at(x, y, c) = image.at(left + x, top + y, c);
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+/// The main job, done with the real program as a user would: from a picture to a texton, from that
+/// to noise, and all commands on the way.
+class TestStory : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void reportsTexton();
+    void sameNoiseFromAllFormats();
+    void tileWraps();
+    void threadsDoNotMatter();
+    void repeatsItself();
+    void originIsAPlaceInOnePlane();
+    void comparesItselfAsEqual();
+    void comparesNoise();
+    void describesFiles_data();
+    void describesFiles();
+    void makesGaussianVersion();
+    void makesPeriodicComponent();
+    void makesSheet();
+
+  private:
+    /// Standard output; the run must end well and say nothing on standard error.
+    QByteArray run(const QString& arguments) const;
+    /// The same as one JSON object.
+    QJsonObject json(const QString& arguments) const;
+    QByteArray bytes(const QString& name) const;
+    Image image(const QString& name) const;
+    /// Runs `noise` with these options and reads the float EXR.
+    Image noise(const QString& texton, const QString& options) const;
+
+    QTemporaryDir m_folder;
+    QJsonObject m_report;
+};
+
+QByteArray TestStory::run(const QString& arguments) const {
+    QProcess process;
+    process.setWorkingDirectory(m_folder.path());
+    process.start(TXN_TEXTON_PROGRAM, arguments.split(' '));
+    const bool inTime = process.waitForFinished(kTimeoutMs);
+    const QByteArray err = process.readAllStandardError();
+    if (!inTime || process.exitStatus() != QProcess::NormalExit || process.exitCode() != 0 ||
+        !err.isEmpty()) {
+        QTest::qFail(qPrintable(arguments + ": " + process.errorString() + ": " + err),
+                     __FILE__,
+                     __LINE__);
+        return {};
+    }
+    return process.readAllStandardOutput();
+}
+
+QJsonObject TestStory::json(const QString& arguments) const {
+    QJsonParseError error;
+    // Refuses anything after the object.
+    const auto document = QJsonDocument::fromJson(run(arguments + " --json"), &error);
+    if (!document.isObject())
+        QTest::qFail(qPrintable(arguments + ": " + error.errorString()), __FILE__, __LINE__);
+    return document.object();
+}
+
+QByteArray TestStory::bytes(const QString& name) const {
+    QFile file(m_folder.filePath(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+Image TestStory::image(const QString& name) const {
+    auto loaded = loadImage(m_folder.filePath(name).toStdString());
+    return loaded ? std::move(loaded->image) : Image();
+}
+
+Image TestStory::noise(const QString& texton, const QString& options) const {
+    run("noise " + texton + " -o noise.exr --depth float " + options);
+    return image("noise.exr");
+}
+
+void TestStory::initTestCase() {
+    QVERIFY(m_folder.isValid());
+    run("sample wood -o wood.png --size 96x64 --seed 3");
+    QCOMPARE(image("wood.png").size(), (Size{96, 64}));
+    m_report = json("compute wood.png -o t.exr -o t.png -o t.texton --support 24x16 "
+                    "--iterations 20 --seed 7");
+}
+
+void TestStory::reportsTexton() {
+    QCOMPARE(m_report["width"].toInt(), 96);
+    QCOMPARE(m_report["height"].toInt(), 64);
+    QCOMPARE(m_report["channels"].toInt(), 3);
+    QCOMPARE(m_report["support"].toArray(), (QJsonArray{24, 16}));
+    QCOMPARE(m_report["order"].toInt(-1), 1);
+    QCOMPARE(m_report["iterations"].toInt(), 20);
+    QCOMPARE(m_report["seed"].toInt(), 7);
+    for (const char* key : {"rme", "rme_corrected"}) {
+        const double error = m_report[key].toDouble(-1.0);
+        QVERIFY2(error > 0.0 && error < 1.0, key);
+    }
+    const QJsonObject seconds = m_report["seconds"].toObject();
+    for (const char* key : {"load", "solve", "write"})
+        QVERIFY2(seconds[key].toDouble(-1.0) >= 0.0, key);
+    const QJsonArray outputs = m_report["outputs"].toArray();
+    QCOMPARE(outputs.size(), 6); // each with its sidecar
+    for (const auto& output : outputs)
+        QVERIFY2(!bytes(output.toString()).isEmpty(), qPrintable(output.toString()));
+}
+
+void TestStory::sameNoiseFromAllFormats() {
+    const QString options = "--size 128x96 --seed 5";
+    const Image fromExr = noise("t.exr", options);
+    QCOMPARE(fromExr.size(), (Size{128, 96}));
+    // Both keep every float; the mean may be rounded differently on the way.
+    QVERIFY(distance(fromExr, noise("t.texton", options)) <= 1e-4);
+    // 16 bits for each of the coefficients, of which some hundred add up.
+    QVERIFY(distance(fromExr, noise("t.png", options)) <= 2e-3);
+}
+
+void TestStory::tileWraps() {
+    const QString options = "--size 80x64 --tile";
+    const Image tile = noise("t.exr", options);
+    QVERIFY(!tile.empty());
+    // Rounding of the transforms, whose tiles lie elsewhere.
+    QVERIFY(distance(tile, noise("t.exr", options + " --origin 80,-64")) <= 1e-4);
+    QVERIFY(distance(shifted(tile, 33, 17), noise("t.exr", options + " --origin 33,17")) <= 1e-4);
+    // Without --tile it would not.
+    QVERIFY(distance(tile, noise("t.exr", "--size 80x64 --origin 80,0")) > 0.01);
+}
+
+void TestStory::threadsDoNotMatter() {
+    for (const char* ending : {"png", "exr"}) {
+        QByteArray first;
+        for (const char* threads : {"", " --threads 1", " --threads 2"}) {
+            const QString name = QString("threads.%1").arg(ending);
+            run("noise t.exr --size 200x150 -o " + name + threads);
+            const QByteArray file = bytes(name);
+            QVERIFY(!file.isEmpty());
+            QVERIFY2(first.isEmpty() || file == first, threads);
+            first = file;
+        }
+    }
+}
+
+void TestStory::repeatsItself() {
+    run("compute wood.png -o again.exr -o again.png -o again.texton --support 24x16 "
+        "--iterations 20 --seed 7");
+    for (const char* ending : {"exr", "exr.json", "png", "png.json", "texton", "texton.json"})
+        QVERIFY2(bytes(QString("again.%1").arg(ending)) == bytes(QString("t.%1").arg(ending)),
+                 ending);
+    for (const char* name : {"first.jpg", "second.jpg"})
+        run(QString("gaussian wood.png --seed 4 -o ") + name);
+    QVERIFY(bytes("first.jpg") == bytes("second.jpg"));
+}
+
+void TestStory::originIsAPlaceInOnePlane() {
+    const Image plane = noise("t.exr", "--size 260x140");
+    const Image window = noise("t.exr", "--size 200x100 --origin 37,11");
+    QCOMPARE(window.size(), (Size{200, 100}));
+    QVERIFY(distance(part(plane, 37, 11, {200, 100}), window) <= 1e-5);
+    const Image before = noise("t.exr", "--size 150x110 --origin -50,-60");
+    QVERIFY(distance(part(before, 50, 60, {100, 50}), part(plane, 0, 0, {100, 50})) <= 1e-5);
+}
+
+void TestStory::comparesItselfAsEqual() {
+    for (const char* name : {"wood.png", "t.exr", "t.png"}) {
+        const QJsonObject result = json(QString("compare %1 %1").arg(name));
+        for (const char* key : {"mean_difference",
+                                "covariance_error",
+                                "autocorrelation_error",
+                                "spectrum_difference_db"}) {
+            QVERIFY2(result[key].isDouble() && std::abs(result[key].toDouble()) <= 1e-9, key);
+        }
+    }
+}
+
+void TestStory::comparesNoise() {
+    run("noise t.exr -o large.png --size 256x256");
+    const QJsonObject result = json("compare t.exr large.png");
+    // A sample of 65536 pixels with features of some ten strays by that many percent.
+    QVERIFY(result["mean_difference"].toDouble(1.0) < 0.05);
+    QVERIFY(result["covariance_error"].toDouble(1.0) < 0.5);
+    QVERIFY(run("compare wood.png large.png").contains("autocorrelation"));
+}
+
+void TestStory::describesFiles_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("kind");
+    QTest::newRow("picture") << "wood.png"
+                             << "picture";
+    QTest::newRow("EXR texton") << "t.exr"
+                                << "texton";
+    QTest::newRow("PNG texton") << "t.png"
+                                << "texton";
+    QTest::newRow("text texton") << "t.texton"
+                                 << "texton";
+}
+
+void TestStory::describesFiles() {
+    QFETCH(QString, name);
+    QFETCH(QString, kind);
+    const QJsonObject result = json("info " + name);
+    QCOMPARE(result["kind"].toString(), kind);
+    QCOMPARE(result["channels"].toInt(), 3);
+    QVERIFY(run("info " + name).contains("channels"));
+}
+
+void TestStory::makesGaussianVersion() {
+    run("gaussian wood.png -o gaussian.png");
+    QCOMPARE(image("gaussian.png").size(), (Size{96, 64}));
+    run("gaussian wood.png -o enlarged.tif --model rpn --size 150x100");
+    QCOMPARE(image("enlarged.tif").size(), (Size{150, 100}));
+}
+
+void TestStory::makesPeriodicComponent() {
+    run("periodic wood.png -o periodic.exr");
+    QCOMPARE(image("periodic.exr").size(), (Size{96, 64}));
+}
+
+void TestStory::makesSheet() {
+    run("sheet wood.png -o sheet.png --support 16 --iterations 5");
+    const Image sheet = image("sheet.png");
+    QVERIFY(sheet.width() > 2 * 96 && sheet.height() > 2 * 64);
+}
+
+QTEST_GUILESS_MAIN(TestStory)
+#include "TestStory.moc"

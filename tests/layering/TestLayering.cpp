@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Include {
+    fs::path file;      ///< relative to the root
+    std::string folder; ///< "core/noise", "cli", ...
+    std::string top;    ///< "core", "gl", "app" or "cli"
+    std::string target; ///< between the quotes or brackets
+    bool quoted = false;
+    int line = 0;
+
+    QByteArray text() const {
+        return QByteArray::fromStdString(file.string() + ":" + std::to_string(line) + " includes " +
+                                         target);
+    }
+};
+
+/// Every #include of the program's own folders, those of system headers too.
+std::vector<Include> allIncludes() {
+    const fs::path root = TXN_SOURCE_DIR;
+    const std::regex pattern(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
+    std::vector<Include> includes;
+    for (const std::string top : {"core", "gl", "app", "cli"}) {
+        if (!fs::exists(root / top))
+            continue; // not written yet
+        for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+            const auto ending = entry.path().extension();
+            if (ending != ".h" && ending != ".cpp")
+                continue;
+            std::ifstream stream(entry.path());
+            std::string text;
+            for (int line = 1; std::getline(stream, text); ++line) {
+                std::smatch match;
+                if (!std::regex_search(text, match, pattern))
+                    continue;
+                const fs::path file = fs::relative(entry.path(), root);
+                includes.push_back({file,
+                                    file.parent_path().generic_string(),
+                                    top,
+                                    match[2],
+                                    match[1] == "\"",
+                                    line});
+            }
+        }
+    }
+    return includes;
+}
+
+bool startsWithAny(const std::string& text, std::initializer_list<const char*> starts) {
+    return std::any_of(starts.begin(), starts.end(), [&](const char* start) {
+        return text.starts_with(start);
+    });
+}
+
+/// <vector>, <cmath>, ...: neither a folder nor an ending, and lower case (Qt's are not).
+bool isStandard(const std::string& target) {
+    return target.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
+bool isPosix(const std::string& target) {
+    static const std::set<std::string>
+        known{"dirent.h", "fcntl.h", "unistd.h", "pthread.h", "signal.h", "termios.h", "poll.h"};
+    return known.contains(target) || target.starts_with("sys/");
+}
+
+/// What the folders of core may include of one another. A new edge is a decision: it belongs here
+/// and in docs/ARCHITECTURE.md, and must not close a circle.
+const std::map<std::string, std::set<std::string>>& allowedEdges() {
+    static const std::map<std::string, std::set<std::string>> edges{
+        {"base", {}},
+        {"image", {"base"}},
+        {"spectral", {"base", "image"}},
+        {"gaussian", {"base", "image", "spectral"}},
+        {"texton", {"base", "image", "spectral", "gaussian"}},
+        {"noise", {"base", "image", "spectral", "texton"}},
+        {"qa", {"base", "image", "spectral", "gaussian", "texton"}},
+        {"export", {"base", "image", "spectral", "gaussian", "texton", "noise"}},
+        {"bake", {"base", "image", "noise"}},
+        {"sheet", {"base", "image", "texton"}},
+        {"samples", {"base", "image", "spectral", "gaussian"}},
+    };
+    return edges;
+}
+
+} // namespace
+
+/// Who may include what: docs/ARCHITECTURE.md, by the letter of the #include lines.
+class TestLayering : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        m_includes = allIncludes();
+        // The scan itself works: well-known lines are found.
+        QVERIFY(m_includes.size() > 200);
+        QVERIFY(std::any_of(m_includes.begin(), m_includes.end(), [](const Include& i) {
+            return i.file == "core/spectral/Fft.cpp" && i.target == "fftw3.h" && !i.quoted;
+        }));
+        QVERIFY(std::any_of(m_includes.begin(), m_includes.end(), [](const Include& i) {
+            return i.folder == "core/noise" && i.target == "core/texton/Texton.h" && i.quoted;
+        }));
+    }
+
+    void ownHeadersAreNamedFromTheRoot() {
+        for (const Include& include : m_includes) {
+            if (!include.quoted)
+                continue;
+            // Qt's generated code is named as moc wants it.
+            if (include.target.ends_with(".moc") && include.top == "app")
+                continue;
+            QVERIFY2(startsWithAny(include.target, {"core/", "gl/", "app/", "cli/"}),
+                     include.text());
+            QVERIFY2(fs::exists(fs::path(TXN_SOURCE_DIR) / include.target), include.text());
+        }
+        for (const Include& include : m_includes)
+            QVERIFY2(include.quoted ||
+                         !startsWithAny(include.target, {"core/", "gl/", "app/", "cli/", "txn"}),
+                     include.text());
+    }
+
+    void nothingIncludesUpward() {
+        const std::map<std::string, std::set<std::string>> allowed{{"core", {"core"}},
+                                                                   {"gl", {"core", "gl"}},
+                                                                   {"cli", {"core", "gl", "cli"}},
+                                                                   {"app", {"core", "gl", "app"}}};
+        for (const Include& include : m_includes) {
+            if (include.quoted && !include.target.ends_with(".moc"))
+                QVERIFY2(allowed.at(include.top)
+                             .contains(include.target.substr(0, include.target.find('/'))),
+                         include.text());
+        }
+    }
+
+    /// A list of what is allowed, so that Qt, OpenGL and everything else new is noticed.
+    void coreUsesTheAgreedLibrariesOnly() {
+        for (const Include& include : m_includes) {
+            if (include.top != "core" || include.quoted)
+                continue;
+            const std::string& target = include.target;
+            const bool agreed =
+                isStandard(target) || isPosix(target) ||
+                startsWithAny(target, {"Eigen/", "tbb/", "oneapi/tbb", "nlohmann/", "glm/"}) ||
+                (target == "fftw3.h" && include.folder == "core/spectral") ||
+                ((target.starts_with("OpenImageIO/") || target == "lcms2.h") &&
+                 include.folder == "core/image");
+            QVERIFY2(agreed, include.text());
+        }
+    }
+
+    void openGlAndQtStayWhereTheyBelong() {
+        for (const Include& include : m_includes) {
+            if (include.quoted)
+                continue;
+            const std::string& target = include.target;
+            const bool gl =
+                startsWithAny(target, {"GL/", "GLES", "EGL/", "epoxy/", "glad/", "KHR/"});
+            const bool qt = target.starts_with("Qt") || (target.size() > 1 && target[0] == 'Q' &&
+                                                         target[1] >= 'A' && target[1] <= 'Z');
+            QVERIFY2(!gl || include.top == "gl", include.text());
+            QVERIFY2(!qt || include.top == "app", include.text());
+            // One place for each of these libraries.
+            QVERIFY2(target != "fftw3.h" || include.folder == "core/spectral", include.text());
+            QVERIFY2((!target.starts_with("OpenImageIO/") && target != "lcms2.h") ||
+                         include.folder == "core/image",
+                     include.text());
+        }
+    }
+
+    void foldersOfCoreFollowTheTable() {
+        for (const Include& include : m_includes) {
+            if (include.top != "core" || !include.quoted)
+                continue;
+            const std::string from = include.folder.substr(5, include.folder.find('/', 5) - 5);
+            const std::string to = include.target.substr(5, include.target.find('/', 5) - 5);
+            if (from == to)
+                continue;
+            QVERIFY2(allowedEdges().contains(from), include.text());
+            QVERIFY2(allowedEdges().at(from).contains(to), include.text());
+        }
+    }
+
+    void theTableHasNoCircles() {
+        // Taking away folders that need nothing but what is gone already leaves nothing.
+        auto edges = allowedEdges();
+        std::set<std::string> done;
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (auto it = edges.begin(); it != edges.end();) {
+                const bool free =
+                    std::all_of(it->second.begin(), it->second.end(), [&](const auto& name) {
+                        return done.contains(name);
+                    });
+                if (free) {
+                    done.insert(it->first);
+                    it = edges.erase(it);
+                    moved = true;
+                } else {
+                    ++it;
+                }
+            }
+        }
+        QVERIFY2(edges.empty(), edges.empty() ? "" : edges.begin()->first.c_str());
+    }
+
+  private:
+    std::vector<Include> m_includes;
+};
+
+QTEST_APPLESS_MAIN(TestLayering)
+#include "TestLayering.moc"
