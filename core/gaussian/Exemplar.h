@@ -12,7 +12,8 @@ namespace txn {
 /// sample finite and at most kLargestSample in size. Made by makeExemplar only.
 struct Exemplar {
     static constexpr int kMaxChannels = 16;
-    static constexpr float kLargestSample = 1e15F;
+    /// Far beyond any light, and its square times any number of pixels still fits a float.
+    static constexpr float kLargestSample = 1e12F;
 
     Image image;
     std::string name; ///< for messages and metadata: the file's name without folders

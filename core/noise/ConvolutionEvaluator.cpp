@@ -61,7 +61,10 @@ class ConvolutionEvaluator final : public TileEvaluator {
         return {m_size.width - m_support.width + 1, m_size.height - m_support.height + 1};
     }
 
-    void evaluate(std::int64_t tileX, std::int64_t tileY, Image& tile) const override {
+    void evaluate(std::int64_t tileX,
+                  std::int64_t tileY,
+                  Image& tile,
+                  const CancelToken& /*cancel*/) const override {
         Scratch& scratch = m_scratch.local();
         // Splats down to one support left of and above the tile reach into it.
         splat(tileX * tileSize().width - (m_support.width - 1),

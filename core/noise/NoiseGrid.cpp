@@ -83,7 +83,7 @@ Result<Image> NoiseGrid::render(const Rect& rect, const CancelToken& cancel) con
                               for (auto x = range.cols().begin(); x != range.cols().end(); ++x) {
                                   if (cancel.cancelled())
                                       return;
-                                  m_evaluator->evaluate(x, y, local);
+                                  m_evaluator->evaluate(x, y, local, cancel);
                                   copyOverlap(local, x * tile.width, y * tile.height, rect, out);
                               }
                           }

@@ -44,7 +44,10 @@ class ScaledEvaluator final : public TileEvaluator {
 
     Size tileSize() const override { return {kTileSide, kTileSide}; }
 
-    void evaluate(std::int64_t tileX, std::int64_t tileY, Image& tile) const override {
+    void evaluate(std::int64_t tileX,
+                  std::int64_t tileY,
+                  Image& tile,
+                  const CancelToken& cancel) const override {
         const std::int64_t left = tileX * kTileSide;
         const std::int64_t top = tileY * kTileSide;
         const Size footprint = m_texton.footprint();
@@ -57,6 +60,8 @@ class ScaledEvaluator final : public TileEvaluator {
                          static_cast<double>(left + kTileSide) / m_scale,
                          static_cast<double>(top + kTileSide) / m_scale,
                          [&](const Impulse& impulse) {
+                             if (cancel.cancelled())
+                                 return;
                              const Size support = m_texton.support.size();
                              fillAxis(impulse.x, left, support.width, horizontal);
                              fillAxis(impulse.y, top, support.height, vertical);
@@ -78,7 +83,13 @@ class ScaledEvaluator final : public TileEvaluator {
         const int order = m_texton.interpolationOrder;
         const double half = 0.5 * (order + 1);
         const double corner = position + m_texton.frame() + 0.5;
-        for (int i = 0; i < kTileSide; ++i) {
+        // Pixels further out see nothing of the kernel.
+        const double begin = (corner - half) * m_scale - static_cast<double>(tileStart) - 1.0;
+        const double end =
+            (corner + count - 1 + half) * m_scale - static_cast<double>(tileStart) + 1.0;
+        const int firstPixel = static_cast<int>(std::clamp(begin, 0.0, 1.0 * kTileSide));
+        const int lastPixel = static_cast<int>(std::clamp(end, -1.0, kTileSide - 1.0));
+        for (int i = firstPixel; i <= lastPixel; ++i) {
             const auto pixel = static_cast<double>(tileStart + i);
             // The part of the kernel's axis that the pixel averages; a point above scale 1.
             const double from = (m_scale < 1.0 ? pixel : pixel + 0.5) / m_scale - corner;

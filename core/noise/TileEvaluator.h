@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/CancelToken.h"
 #include "core/image/Image.h"
 #include "core/noise/NoiseParams.h"
 #include "core/texton/Texton.h"
@@ -19,8 +20,12 @@ class TileEvaluator {
     /// Tile (i, j) covers output pixels [i w, (i + 1) w) x [j h, (j + 1) h).
     virtual Size tileSize() const = 0;
 
-    /// Computes one tile, tileSize() x C. Single-threaded; may run on many threads at once.
-    virtual void evaluate(std::int64_t tileX, std::int64_t tileY, Image& tile) const = 0;
+    /// Computes one tile, tileSize() x C. Single-threaded; may run on many threads at once. May
+    /// return early, with nothing of use, once cancel says so.
+    virtual void evaluate(std::int64_t tileX,
+                          std::int64_t tileY,
+                          Image& tile,
+                          const CancelToken& cancel) const = 0;
 };
 
 /// For one output pixel per exemplar pixel: impulses are splatted once with the B-spline and

@@ -41,7 +41,7 @@ RadialSpectrum radialSpectrum(const GaussianModel& model) {
     return ringMeans(model.domain(), [&](int row, int column) {
         double sum = 0.0;
         for (int c = 0; c < model.channels(); ++c)
-            sum += static_cast<double>(std::norm(model.spot(c).at(row, column)));
+            sum += std::norm(std::complex<double>(model.spot(c).at(row, column)));
         return sum;
     });
 }
@@ -68,7 +68,7 @@ RadialSpectrum radialSpectrum(const Texton& texton) {
     return ringMeans(size, [&](int row, int column) {
         double sum = 0.0;
         for (const HalfSpectrum& spectrum : spectra)
-            sum += static_cast<double>(std::norm(spectrum.at(row, column)));
+            sum += std::norm(std::complex<double>(spectrum.at(row, column)));
         return sum * bx[static_cast<std::size_t>(column)] * by[static_cast<std::size_t>(row)];
     });
 }

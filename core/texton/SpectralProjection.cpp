@@ -120,7 +120,7 @@ void SpectralProjection::buildTarget(const GaussianModel& model) {
                         const Complex value = spot[row * kLanes + static_cast<std::size_t>(lane)];
                         energy[static_cast<std::size_t>(b)] +=
                             model.spot(c).multiplicity(column) * inverse * inverse *
-                            static_cast<double>(std::norm(value));
+                            std::norm(std::complex<double>(value));
                         *out = value * static_cast<float>(inverse / std::sqrt(bHat));
                     }
                 }

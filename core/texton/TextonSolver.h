@@ -15,6 +15,9 @@ namespace txn {
 ///
 ///     while (!solver.done()) { solver.step(); ... solver.texton() ... }
 ///
+/// Plain iterations never increase the distance in which they project; for orders above 0 that is
+/// the relative model error without its weights b^, which may therefore rise a little on the way.
+///
 /// With momentum m > 0 the projection is taken of z + m (z - z_prev) from the fourth iteration on:
 /// same fixed points in far fewer iterations. One thread at a time; a step uses all cores of the
 /// calling task arena and gives the same bits for any number of them.

@@ -705,7 +705,7 @@ void TestBadInput::oddButRight_data() {
     add("more after the end of a JPEG", {"info", "trailing.jpg"}, {});
     add("more after the end of a PNG", {"info", "trailing.png"}, {});
     add("leading dash", {"periodic", "./-x.png", "-o", "./-y.png"}, {"-y.png"});
-    add("spaces", {"periodic", copy, "-o", " a  b .png"}, {" a  b .png"});
+    add("spaces", {"periodic", "good.png", "-o", " a  b .png"}, {" a  b .png"});
     add("Unicode",
         QStringList{"compute", unicode, "-o", unicode + ".png", "--json"} + solve,
         {unicode + ".png", unicode + ".png.json"});

@@ -6,6 +6,7 @@
 #include "core/qa/RadialSpectrum.h"
 #include "core/spectral/PeriodicComponent.h"
 #include "core/texton/RelativeModelError.h"
+#include "tests/helpers/Dft.h"
 #include "tests/helpers/Images.h"
 #include "tests/helpers/Numbers.h"
 #include "tests/helpers/Textons.h"
@@ -291,6 +292,38 @@ class TestComparison : public QObject {
         const RadialSpectrum white = radialSpectrum(GaussianModel(exemplarOf(noise), false));
         for (std::size_t i = 4; i < white.power.size(); ++i)
             TXN_AT_MOST(std::abs(white.power[i] / 0.08 - 1.0), 0.3);
+    }
+
+    /// Every frequency of the whole DFT once, in the ring of its distance from 0.
+    void spectrumIsTheMeanOverRings() {
+        for (const Size size : {Size{24, 18}, Size{25, 17}, Size{30, 64}}) {
+            const GaussianModel model = texturedModel(size, 2, 14);
+            std::array<double, RadialSpectrum::kRings> sums{};
+            std::array<double, RadialSpectrum::kRings> counts{};
+            for (int c = 0; c < 2; ++c) {
+                const auto whole = wholeSpectrum(model.spot(c));
+                for (int row = 0; row < size.height; ++row) {
+                    for (int column = row == 0 ? 1 : 0; column < size.width; ++column) {
+                        const double fx =
+                            std::remainder(static_cast<double>(column) / size.width, 1.0);
+                        const double fy =
+                            std::remainder(static_cast<double>(row) / size.height, 1.0);
+                        const double radius = std::hypot(fx, fy) * 2.0 * RadialSpectrum::kRings;
+                        if (radius >= RadialSpectrum::kRings)
+                            continue;
+                        const auto ring = static_cast<std::size_t>(radius);
+                        sums[ring] +=
+                            std::norm(whole[static_cast<std::size_t>(row * size.width + column)]);
+                        counts[ring] += c == 0 ? 1.0 : 0.0;
+                    }
+                }
+            }
+            const RadialSpectrum spectrum = radialSpectrum(model);
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                const double expected = counts[i] > 0.0 ? sums[i] / counts[i] : 0.0;
+                TXN_AT_MOST(std::abs(spectrum.power[i] - expected), 1e-6 * expected);
+            }
+        }
     }
 
     void spectrumOfATexton() {

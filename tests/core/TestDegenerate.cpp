@@ -168,6 +168,8 @@ class TestDegenerate : public QObject {
                     const Texton corrected = colorCorrected(texton, model.covariance());
                     QVERIFY(allFinite(corrected.kernels[0].samples()));
                     for (const double scale : {1.0, 0.6}) {
+                        if (scale < 1.0 && (order != 1 || !periodic))
+                            continue; // the slow one, once
                         NoiseParams params;
                         params.process = NoiseProcess::Poisson;
                         params.meanImpacts = 2.0; // tiny supports make many impulses

@@ -217,7 +217,7 @@ class TestNoise : public QObject {
         for (const NoiseProcess process : kProcesses) {
             for (const int order : kOrders) {
                 QTest::addRow("%s order %d scale 1/2", qPrintable(nameOf(process)), order)
-                    << static_cast<int>(process) << order << 0.5 << 32;
+                    << static_cast<int>(process) << order << 0.5 << 16;
                 QTest::addRow("%s order %d scale 1/5", qPrintable(nameOf(process)), order)
                     << static_cast<int>(process) << order << 0.2 << 16;
             }
@@ -320,7 +320,11 @@ class TestNoise : public QObject {
         QFETCH(double, scale);
         QFETCH(int, width);
         QFETCH(int, height);
-        const Texton texton = makeTexton({1, 2, {9, 7}, 2, 60, 0.3});
+        Texton texton = makeTexton({1, 2, {9, 7}, 2, 60, 0.3});
+        for (Image& kernel : texton.kernels) {
+            for (float& v : kernel.samples())
+                v *= 0.25F; // the contrast of a harsh photograph, for values in [0, 1]
+        }
         NoiseParams params = paramsOf(process);
         params.period = Period{static_cast<double>(width), static_cast<double>(height)};
         const auto grid = NoiseGrid::create(texton, params, scale);
@@ -328,14 +332,14 @@ class TestNoise : public QObject {
         const Size size{static_cast<int>(width * scale), static_cast<int>(height * scale)};
         const auto base = grid->render({0, 0, size});
         TXN_OK(base);
-        QVERIFY(varianceOf(base->plane(0)) > 0.1); // there is something to repeat
+        QVERIFY(varianceOf(base->plane(0)) > 0.006); // there is something to repeat
         for (const auto& [i, j] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {-3, -2}, {700, -900}}) {
             const auto copy = grid->render({static_cast<std::int64_t>(i) * size.width,
                                             static_cast<std::int64_t>(j) * size.height,
                                             size});
             TXN_OK(copy);
             // Other tiles, other roundings of single precision, of values about 1.
-            TXN_AT_MOST(largestDifference(base->samples(), copy->samples()), 3e-6);
+            TXN_AT_MOST(largestDifference(base->samples(), copy->samples()), 1e-6);
         }
         // Half a period further it must not repeat.
         const auto half = grid->render({size.width / 2, 0, size});
@@ -380,7 +384,7 @@ class TestNoise : public QObject {
         QTest::addColumn<double>("scale");
         QTest::newRow("fewest impacts") << NoiseParams::kMinMeanImpacts << 1.0;
         QTest::newRow("most impacts") << NoiseParams::kMaxMeanImpacts << 1.0;
-        QTest::newRow("smallest scale") << 12.0 << NoiseGrid::kMinScale;
+        QTest::newRow("smallest scale") << 1.0 << NoiseGrid::kMinScale;
         QTest::newRow("largest scale") << 12.0 << NoiseGrid::kMaxScale;
     }
 
@@ -388,7 +392,7 @@ class TestNoise : public QObject {
         QFETCH(double, meanImpacts);
         QFETCH(double, scale);
         // Far below scale 1 a tile sees thousands of footprints: only large ones are affordable.
-        const Size support = scale < 1.0 ? Size{96, 80} : Size{5, 3};
+        const Size support = scale < 1.0 ? Size{300, 280} : Size{5, 3};
         const Texton texton = makeTexton({1, 2, support, 2, 80});
         for (int process = 0; process < 3; ++process) {
             const NoiseParams params = paramsOf(process, meanImpacts);
