@@ -9,6 +9,8 @@ target_compile_options(txn_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restr
 if(TXN_SANITIZE)
   target_compile_options(txn_options INTERFACE -fsanitize=address,undefined
                                                -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # GCC warns of initialised variables once its sanitizers have rewritten the code around them.
+  target_compile_options(txn_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(txn_options INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(txn_options INTERFACE TXN_SANITIZED)
 endif()
