@@ -13,12 +13,27 @@ namespace {
 using Value = std::complex<double>;
 using Plane = std::vector<Value>;
 
-void transform(Plane& plane, Size size, int sign) {
-    auto* data = reinterpret_cast<fftw_complex*>(plane.data());
-    fftw_plan plan = fftw_plan_dft_2d(size.height, size.width, data, data, sign, FFTW_ESTIMATE);
-    fftw_execute(plan);
-    fftw_destroy_plan(plan);
-}
+/// Complex transforms of whole planes in place, planned once.
+class Transform {
+  public:
+    Transform(Size size, int sign) : m_scratch(size.area()) {
+        auto* data = reinterpret_cast<fftw_complex*>(m_scratch.data());
+        m_plan = fftw_plan_dft_2d(size.height, size.width, data, data, sign, FFTW_ESTIMATE);
+    }
+    Transform(const Transform&) = delete;
+    Transform& operator=(const Transform&) = delete;
+    ~Transform() { fftw_destroy_plan(m_plan); }
+
+    void run(Plane& plane) const {
+        auto* data = reinterpret_cast<fftw_complex*>(plane.data());
+        // std::vector aligns by 16, which is what FFTW's plan was made for.
+        fftw_execute_dft(m_plan, data, data);
+    }
+
+  private:
+    Plane m_scratch;
+    fftw_plan m_plan;
+};
 
 } // namespace
 
@@ -28,6 +43,8 @@ std::vector<double> textbookTexton(const Image& spot,
                                    int interpolationOrder,
                                    int iterations) {
     const Size size = spot.size();
+    const Transform forward(size, FFTW_FORWARD);
+    const Transform backward(size, FFTW_BACKWARD);
     const auto channels = static_cast<std::size_t>(spot.channels());
     const auto bx = bsplineSpectrum(interpolationOrder, size.width);
     const auto by = bsplineSpectrum(interpolationOrder, size.height);
@@ -37,7 +54,7 @@ std::vector<double> textbookTexton(const Image& spot,
     for (std::size_t c = 0; c < channels; ++c) {
         const auto plane = spot.plane(static_cast<int>(c));
         target[c].assign(plane.begin(), plane.end());
-        transform(target[c], size, FFTW_FORWARD);
+        forward.run(target[c]);
         for (std::size_t i = 0; i < size.area(); ++i)
             target[c][i] /= std::sqrt(bx[i % width] * by[i / width]);
         const auto noise = initialNoise.plane(static_cast<int>(c));
@@ -45,7 +62,7 @@ std::vector<double> textbookTexton(const Image& spot,
     }
     for (int n = 0; n < iterations; ++n) {
         for (auto& plane : alpha)
-            transform(plane, size, FFTW_FORWARD);
+            forward.run(plane);
         for (std::size_t i = 0; i < size.area(); ++i) {
             Value dot = 0.0;
             for (std::size_t c = 0; c < channels; ++c)
@@ -56,7 +73,7 @@ std::vector<double> textbookTexton(const Image& spot,
                 alpha[c][i] = target[c][i] * phase;
         }
         for (auto& plane : alpha) {
-            transform(plane, size, FFTW_BACKWARD);
+            backward.run(plane);
             for (std::size_t i = 0; i < size.area(); ++i) {
                 const bool inside = i % width < static_cast<std::size_t>(support.width) &&
                                     i / width < static_cast<std::size_t>(support.height);

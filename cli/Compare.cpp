@@ -32,6 +32,7 @@ Result<Texture> loadTexture(const std::filesystem::path& path) {
 }
 
 Result<void> run(const Options& options) {
+    std::optional<BusySign> busy("Comparing");
     const auto a = loadTexture(options.a);
     if (!a)
         return a.error();
@@ -43,6 +44,7 @@ Result<void> run(const Options& options) {
         return Error{result.error().code,
                      "'" + options.a.filename().string() + "' and '" +
                          options.b.filename().string() + "': " + result.error().message};
+    busy.reset();
     if (options.json) {
         nlohmann::ordered_json json;
         json["a"] = options.a.string();
@@ -78,6 +80,7 @@ void addCompare(CLI::App& app, Session& session) {
     auto* command =
         app.add_subcommand("compare", "Measure how far a texture B is from a texture A");
     command->footer("Pictures and textons may be mixed; errors are relative to A, 0 is equal.\n"
+                    "Of pictures the periodic component is taken, as in compute.\n"
                     "Example:\n  texton compare wood.jpg wood_4k.png");
     auto options = std::make_shared<Options>();
     command->add_option("A", options->a, "Picture or texton")->required();
@@ -87,7 +90,7 @@ void addCompare(CLI::App& app, Session& session) {
                      options->lag,
                      "Compare correlations up to this distance, in pixels (default: 32)")
         ->type_name("N")
-        ->check(CLI::Range(0, 4096));
+        ->check(CLI::Range(0, 512));
     command->add_flag("--json", options->json, "Print a JSON object instead of text");
     command->callback([options, &session] { session.run = [options] { return run(*options); }; });
 }

@@ -4,6 +4,7 @@
 #include "cli/Paths.h"
 #include "cli/Report.h"
 #include "cli/SolveOptions.h"
+#include "core/base/OutputFiles.h"
 #include "core/export/Exporter.h"
 
 #include <iostream>
@@ -22,9 +23,11 @@ struct Options {
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
     for (const auto& output : options.outputs) {
-        if (const auto ok = checkOutput(options.exemplar.path, output); !ok)
+        if (const auto ok = checkNotInput(options.exemplar.path, output); !ok)
             return ok.error();
     }
+    if (const auto ok = checkTextonOutputs(options.outputs); !ok)
+        return ok.error();
     Stopwatch watch;
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
@@ -33,7 +36,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
     auto solved = solve(model, options.solve, cancel);
     if (!solved)
-        return Error{solved.error().code, "'" + exemplar->name + "': " + solved.error().message};
+        return Error{solved.error().code,
+                     quoted(options.exemplar.path) + ": " + solved.error().message};
     const double solving = watch.lap();
 
     TextonAsset asset;

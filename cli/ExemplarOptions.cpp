@@ -2,6 +2,7 @@
 #include "cli/ExemplarOptions.h"
 
 #include "cli/Parse.h"
+#include "cli/Report.h"
 #include "core/base/OutputFiles.h"
 #include "core/image/ColorTransfer.h"
 #include "core/image/ImageGeometry.h"
@@ -18,11 +19,12 @@ void addExemplarOptions(CLI::App& app, ExemplarOptions& options) {
         ->type_name("DEG");
     app.add_option("--flatten", options.flatten, "Even out lighting smoother than RADIUS pixels")
         ->type_name("RADIUS")
-        ->check(CLI::Range(0.5, 1e5));
+        ->check(between(0.5, 1e5));
     app.add_flag("--linear", options.linear, "Convert to linear light first");
 }
 
 Result<Exemplar> loadExemplar(const ExemplarOptions& options) {
+    const BusySign busy("Preparing the exemplar");
     auto loaded = loadImage(options.path);
     if (!loaded)
         return loaded.error();

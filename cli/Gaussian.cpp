@@ -22,21 +22,26 @@ struct Options {
 };
 
 Result<void> run(const Options& options) {
-    if (const auto ok = checkOutput(options.exemplar.path, options.output); !ok)
+    if (const auto ok = checkNotInput(options.exemplar.path, options.output); !ok)
+        return ok.error();
+    if (const auto ok = checkPictureOutput(options.output); !ok)
         return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();
     const auto method = options.model == "rpn" ? GaussianMethod::RandomPhase : GaussianMethod::Adsn;
+    std::optional<BusySign> busy("Making the Gaussian version");
     const auto picture = gaussianVersion(*exemplar,
                                          options.size.value_or(exemplar->image.size()),
                                          method,
                                          Seed{options.seed},
                                          !options.noPeriodic);
     if (!picture)
-        return picture.error();
+        return Error{picture.error().code,
+                     quoted(options.exemplar.path) + ": " + picture.error().message};
     if (const auto ok = saveImage(*picture, options.output, options.save); !ok)
         return ok.error();
+    busy.reset();
     printWritten({&options.output, 1});
     return {};
 }

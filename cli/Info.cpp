@@ -2,6 +2,7 @@
 #include "cli/Commands.h"
 #include "cli/Report.h"
 #include "core/export/Exporter.h"
+#include "core/image/ImageFormats.h"
 #include "core/spectral/PeriodicComponent.h"
 
 #include <iostream>
@@ -18,50 +19,14 @@ struct Options {
     bool json = false;
 };
 
-const char* name(ImageFormat format) {
-    switch (format) {
-    case ImageFormat::Png:
-        return "PNG";
-    case ImageFormat::Jpeg:
-        return "JPEG";
-    case ImageFormat::Tiff:
-        return "TIFF";
-    case ImageFormat::OpenExr:
-        return "EXR";
-    case ImageFormat::Hdr:
-        return "HDR";
-    case ImageFormat::Tga:
-        return "TGA";
-    case ImageFormat::Bmp:
-        return "BMP";
-    case ImageFormat::WebP:
-        break;
-    }
-    return "WebP";
-}
-
-const char* name(SampleFormat format) {
-    switch (format) {
-    case SampleFormat::UInt8:
-        return "8 bit";
-    case SampleFormat::UInt16:
-        return "16 bit";
-    case SampleFormat::Half:
-        return "half float";
-    case SampleFormat::Float:
-        break;
-    }
-    return "float";
-}
-
 Json describe(const LoadedImage& loaded) {
     Json json;
     json["kind"] = "picture";
-    json["format"] = name(loaded.format);
+    json["format"] = formatTraits(loaded.format).name;
     json["width"] = loaded.image.width();
     json["height"] = loaded.image.height();
     json["channels"] = loaded.image.channels();
-    json["samples"] = name(loaded.sampleFormat);
+    json["samples"] = sampleFormatName(loaded.sampleFormat);
     json["alpha"] = loaded.alpha.has_value();
     json["color_space"] = loaded.image.transfer() == Transfer::Linear ? "linear" : "encoded";
     json["icc_converted"] = loaded.iccConverted;

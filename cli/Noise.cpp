@@ -5,6 +5,7 @@
 #include "cli/Paths.h"
 #include "cli/Report.h"
 #include "core/bake/Bake.h"
+#include "core/base/OutputFiles.h"
 #include "core/export/Exporter.h"
 
 #include <iostream>
@@ -29,7 +30,9 @@ struct Options {
 };
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
-    if (const auto ok = checkOutput(options.texton, options.output); !ok)
+    if (const auto ok = checkNotInput(options.texton, options.output); !ok)
+        return ok.error();
+    if (const auto ok = checkPictureOutput(options.output); !ok)
         return ok.error();
     std::unique_ptr<tbb::global_control> limit;
     if (options.threads > 0)
@@ -39,21 +42,24 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const auto asset = loadTexton(options.texton);
     if (!asset)
         return asset.error();
-    NoiseParams params = options.noise.params();
+    NoiseParams params =
+        options.noise.params({asset->process, asset->meanImpacts, asset->seed, std::nullopt});
     if (options.tile)
         params.period =
             Period{options.size.width / options.scale, options.size.height / options.scale};
     const auto grid = NoiseGrid::create(asset->texton, params, options.scale);
     if (!grid)
-        return grid.error();
-    ProgressBar bar("Making noise");
-    const auto report = bake(
-        *grid,
-        {options.origin.first, options.origin.second, options.size},
-        options.output,
-        options.save,
-        [&](double share) { bar.update(share); },
-        cancel);
+        return Error{grid.error().code, quoted(options.texton) + ": " + grid.error().message};
+    const auto report = [&] {
+        ProgressBar bar("Making noise");
+        return bake(
+            *grid,
+            {options.origin.first, options.origin.second, options.size},
+            options.output,
+            options.save,
+            [&](double share) { bar.update(share); },
+            cancel);
+    }();
     if (!report)
         return report.error();
     const double seconds = watch.lap();
@@ -102,7 +108,7 @@ void addNoise(CLI::App& app, Session& session) {
     command->add_flag("--tile", options->tile, "Make a picture that repeats without a seam");
     command->add_option("--scale", options->scale, "Output pixels per exemplar pixel")
         ->type_name("S")
-        ->check(CLI::Range(NoiseGrid::kMinScale, NoiseGrid::kMaxScale))
+        ->check(between(NoiseGrid::kMinScale, NoiseGrid::kMaxScale))
         ->capture_default_str();
     command
         ->add_option("--threads",

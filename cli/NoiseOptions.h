@@ -8,12 +8,13 @@ namespace txn::cli {
 
 /// Which noise, for `noise` and `sheet`.
 struct NoiseOptions {
-    std::string process = "stratified";
+    std::optional<std::string> process;
     std::optional<double> meanImpacts;
     std::uint32_t seed = 1;
 
-    /// Without a period.
-    NoiseParams params() const;
+    /// Without a period. What is not given: the fallback's process, its MNI with that process, and
+    /// the usual MNI with another.
+    NoiseParams params(const NoiseParams& fallback = {}) const;
 };
 
 /// The name of the seed option differs, since `sheet` has one already.

@@ -26,8 +26,11 @@ std::optional<std::vector<std::int64_t>> numbers(const std::string& text, char s
     }
 }
 
+/// Wider pictures are beyond what file formats and their readers take.
+constexpr std::int64_t kLargestSide = 1 << 20;
+
 bool isSide(std::int64_t value) {
-    return value >= 1 && value <= 1 << 24;
+    return value >= 1 && value <= kLargestSide;
 }
 
 Size toSize(std::int64_t width, std::int64_t height) {
@@ -73,6 +76,18 @@ std::optional<SampleFormat> parseDepth(const std::string& text) {
     if (text == "float")
         return SampleFormat::Float;
     return std::nullopt;
+}
+
+CLI::Validator between(double low, double high) {
+    const std::string range = CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high);
+    return {[=](const std::string& text) {
+                double value = 0.0;
+                const bool number = CLI::detail::lexical_cast(text, value);
+                return number && value >= low && value <= high
+                           ? std::string()
+                           : "'" + text + "' is not a number from " + range;
+            },
+            range};
 }
 
 void addDepth(CLI::App& app, SaveOptions& options) {

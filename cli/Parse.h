@@ -37,12 +37,17 @@ CLI::Option* addParsed(CLI::App& app,
             [&target, parse, name, form](const std::string& text) {
                 auto value = parse(text);
                 if (!value)
-                    throw CLI::ValidationError(name, "'" + text + "' should be " + form);
+                    throw CLI::ValidationError(name,
+                                               "'" + text +
+                                                   "' is out of range or not of the form " + form);
                 target = *value;
             },
             description)
         ->type_name(form);
 }
+
+/// Accepts numbers from low to high; unlike CLI::Range, it does not let "nan" pass.
+[[nodiscard]] CLI::Validator between(double low, double high);
 
 /// --depth, for commands that write pictures.
 void addDepth(CLI::App& app, SaveOptions& options);

@@ -7,8 +7,12 @@
 
 namespace txn::cli {
 
-/// Errors: InvalidArgument where a command would write over the very file that it reads.
-[[nodiscard]] Result<void> checkOutput(const std::filesystem::path& input,
-                                       const std::filesystem::path& output);
+/// Tells before the work what would fail after it. Errors: InvalidArgument where a command would
+/// write over the very file that it reads.
+[[nodiscard]] Result<void> checkNotInput(const std::filesystem::path& input,
+                                         const std::filesystem::path& output);
+
+/// For pictures. Errors: Unsupported endings; Unwritable places.
+[[nodiscard]] Result<void> checkPictureOutput(const std::filesystem::path& output);
 
 } // namespace txn::cli

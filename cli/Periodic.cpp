@@ -18,14 +18,18 @@ struct Options {
 };
 
 Result<void> run(const Options& options) {
-    if (const auto ok = checkOutput(options.exemplar.path, options.output); !ok)
+    if (const auto ok = checkNotInput(options.exemplar.path, options.output); !ok)
+        return ok.error();
+    if (const auto ok = checkPictureOutput(options.output); !ok)
         return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();
+    std::optional<BusySign> busy("Removing the seam");
     if (const auto ok = saveImage(periodicComponent(exemplar->image), options.output, options.save);
         !ok)
         return ok.error();
+    busy.reset();
     printWritten({&options.output, 1});
     return {};
 }

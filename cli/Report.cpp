@@ -4,8 +4,10 @@
 #include "cli/Console.h"
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstdio>
 #include <iostream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace txn::cli {
@@ -37,6 +39,24 @@ void ProgressBar::update(double share) {
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '-');
     printError("\r" + m_label + " [" + bar + "] " + std::to_string(percent) + " %");
 }
+
+BusySign::BusySign(std::string label) {
+    if (!errorIsTerminal())
+        return;
+    m_thread = std::jthread([label = std::move(label)](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        std::unique_lock lock(mutex);
+        const auto second = std::chrono::seconds(1);
+        for (int seconds = 1;
+             !wake.wait_for(lock, stop, second, [&] { return stop.stop_requested(); });
+             ++seconds)
+            printError("\r" + label + " ... " + std::to_string(seconds) + " s");
+        printError("\r\033[K");
+    });
+}
+
+BusySign::~BusySign() = default;
 
 void printJson(const nlohmann::ordered_json& json) {
     // File names may hold bytes that are not UTF-8.

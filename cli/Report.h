@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <thread>
 
 namespace txn::cli {
 
@@ -35,6 +36,19 @@ class ProgressBar {
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
     bool m_terminal;
     int m_shownPercent = -1;
+};
+
+/// "LABEL ... N s" on standard error for work that cannot tell how far it is: only on a terminal,
+/// only after a second, gone when the object is.
+class BusySign {
+  public:
+    explicit BusySign(std::string label);
+    ~BusySign();
+    BusySign(const BusySign&) = delete;
+    BusySign& operator=(const BusySign&) = delete;
+
+  private:
+    std::jthread m_thread;
 };
 
 /// One JSON object on standard output.

@@ -5,6 +5,7 @@
 #include "cli/Paths.h"
 #include "cli/Report.h"
 #include "cli/SolveOptions.h"
+#include "core/base/OutputFiles.h"
 #include "core/gaussian/GaussianSampler.h"
 #include "core/image/ImageGeometry.h"
 #include "core/image/ImageIo.h"
@@ -27,12 +28,10 @@ struct Options {
     std::filesystem::path output;
 };
 
-std::string text(Size size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 Result<void> run(const Options& options, const CancelToken& cancel) {
-    if (const auto ok = checkOutput(options.exemplar.path, options.output); !ok)
+    if (const auto ok = checkNotInput(options.exemplar.path, options.output); !ok)
+        return ok.error();
+    if (const auto ok = checkPictureOutput(options.output); !ok)
         return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
@@ -40,7 +39,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
     const auto solved = solve(model, options.solve, cancel);
     if (!solved)
-        return Error{solved.error().code, "'" + exemplar->name + "': " + solved.error().message};
+        return Error{solved.error().code,
+                     quoted(options.exemplar.path) + ": " + solved.error().message};
     const NoiseParams params = options.noise.params();
     const auto grid = NoiseGrid::create(solved->texton, params);
     if (!grid)
@@ -59,11 +59,12 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return picture ? gaussian.error() : picture.error();
     const Size support = solved->texton.support.size();
     const Panel panels[] = {
-        {"Exemplar, " + text(whole), std::move(*picture)},
+        {"Exemplar, " + sizeText(whole), std::move(*picture)},
         {"Gaussian version (ADSN)", std::move(*gaussian)},
-        {"Texton, " + text(support) + ", order " + std::to_string(options.solve.order),
+        {"Texton, " + sizeText(support) + ", order " + std::to_string(options.solve.order),
          textonPicture(solved->texton, shown)},
-        {"Texton noise, " + options.noise.process + ", MNI " + shortNumber(params.meanImpacts),
+        {"Texton noise, " + std::string(toString(params.process)) + ", MNI " +
+             shortNumber(params.meanImpacts),
          *noise}};
     const auto sheet = contactSheet(exemplar->name, panels);
     if (!sheet)

@@ -32,7 +32,7 @@ void addSolveOptions(CLI::App& app, SolveOptions& options) {
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     app.add_option("--momentum", options.momentum, "0 for the papers' plain iteration, below 1")
-        ->check(CLI::Range(0.0, 0.999))
+        ->check(between(0.0, 0.999))
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Another number gives another, equally good result")
         ->capture_default_str();

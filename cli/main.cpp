@@ -22,7 +22,20 @@ extern "C" void onInterrupt(int) {
     ::alarm(kGraceSeconds);
 }
 
-/// Jobs that cannot be stopped halfway end here; their files have no name yet and vanish.
+/// Not for signals that are ignored, as under nohup. The second one of a kind ends the program at
+/// once.
+void listen(int signal, void (*handler)(int)) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN)
+        return;
+    action = {};
+    action.sa_handler = handler;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
+/// Jobs that cannot be stopped halfway end here; files without a name yet vanish.
 extern "C" void onGraceOver(int) {
     txn::cli::printStopped();
     ::_exit(1);
@@ -31,14 +44,9 @@ extern "C" void onGraceOver(int) {
 /// Ctrl-C and kill ask the running job to stop; nothing of it is left behind.
 void listenForInterrupts(txn::CancelSource& source) {
     interrupt = &source;
-    struct sigaction action {};
-    action.sa_handler = onInterrupt;
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-    sigaction(SIGHUP, &action, nullptr);
-    action.sa_handler = onGraceOver;
-    sigaction(SIGALRM, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        listen(signal, onInterrupt);
+    listen(SIGALRM, onGraceOver);
     // A write beyond the file size limit should fail with a message, not kill the program.
     std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -95,7 +103,7 @@ int run(int argc, char** argv, txn::cli::Session& session) {
 int main(int argc, char** argv) {
     try {
         txn::cli::hushLibraries();
-        txn::CancelSource source;
+        static txn::CancelSource source; // signals may come until the very end
         listenForInterrupts(source);
         txn::cli::Session session{source.token(), {}};
         return run(argc, argv, session);

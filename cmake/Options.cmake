@@ -2,10 +2,13 @@
 add_library(txn_options INTERFACE)
 target_include_directories(txn_options INTERFACE ${PROJECT_SOURCE_DIR})
 # No errno from sqrt and friends: without this the hot loops do not vectorise.
-target_compile_options(txn_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Werror
+target_compile_options(txn_options INTERFACE -Wall -Wextra -Wshadow -Wconversion
                                              -fno-math-errno -fopenmp-simd)
 # GCC 12 warns of std::string's own code (GCC bug 105651).
 target_compile_options(txn_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+if(TXN_WERROR)
+  target_compile_options(txn_options INTERFACE -Werror)
+endif()
 if(TXN_SANITIZE)
   target_compile_options(txn_options INTERFACE -fsanitize=address,undefined
                                                -fno-sanitize-recover=all -fno-omit-frame-pointer)

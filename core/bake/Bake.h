@@ -9,7 +9,7 @@
 namespace txn {
 
 struct BakeReport {
-    /// Samples outside [0, 1], which an integer format clamps, of all samples; 0 for float formats.
+    /// Samples that the format cannot hold and that were clamped (see ImageWriter), of all samples.
     double clippedShare = 0.0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace txn {
 
@@ -16,6 +17,11 @@ struct Size {
     }
     bool operator==(const Size&) const = default;
 };
+
+/// "640 x 480".
+[[nodiscard]] inline std::string sizeText(Size size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
 
 /// A rectangle of pixels of the plane or of an image: y down, right and bottom excluded.
 struct Rect {

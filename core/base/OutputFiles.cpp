@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -42,16 +43,17 @@ fs::path folderOf(const fs::path& path) {
 
 /// A name that no other file in the folder has, short and apart from the target's: that one may be
 /// as long as the file system allows.
-fs::path uniqueName(const fs::path& folder) {
+fs::path uniqueName(const fs::path& folder, int number) {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    return folder / (".texton-" + std::to_string(::getpid()) + "-" + std::to_string(now));
+    return folder / (".texton-" + std::to_string(::getpid()) + "-" + std::to_string(now) + "-" +
+                     std::to_string(number));
 }
 
 fs::path pathOfDescriptor(int fd) {
     return "/proc/self/fd/" + std::to_string(fd);
 }
 
-/// Gives a nameless file a name; 0 or the errno. EEXIST if there is such a file.
+/// Gives a nameless file a name; 0 or the errno.
 int linkNameless(int fd, const fs::path& path) {
     return ::linkat(AT_FDCWD,
                     pathOfDescriptor(fd).c_str(),
@@ -61,6 +63,22 @@ int linkNameless(int fd, const fs::path& path) {
                ? 0
                : errno;
 }
+
+/// Keeps signals from ending the program between two names.
+class SignalsHeldBack {
+  public:
+    SignalsHeldBack() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_BLOCK, &all, &m_before);
+    }
+    SignalsHeldBack(const SignalsHeldBack&) = delete;
+    SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
+    ~SignalsHeldBack() { pthread_sigmask(SIG_SETMASK, &m_before, nullptr); }
+
+  private:
+    sigset_t m_before{};
+};
 
 /// Makes sure that a rename in the folder survives a power cut. Failing here loses nothing.
 void flushFolder(const fs::path& folder) {
@@ -116,7 +134,7 @@ Result<fs::path> OutputFiles::add(const fs::path& target) {
     if (!nameless) {
         if (file.fd >= 0)
             ::close(file.fd);
-        file.temporary = uniqueName(folder);
+        file.temporary = uniqueName(folder, static_cast<int>(m_files.size()));
         file.fd = ::open(file.temporary.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
         if (file.fd < 0)
             return unwritable(target, systemReason(errno));
@@ -156,21 +174,19 @@ Result<void> OutputFiles::commit() {
         if (::fsync(file.fd) != 0)
             return unwritable(file.target, systemReason(errno));
     }
+    const SignalsHeldBack guard;
+    // All that may fail comes before the first old file is replaced.
+    for (File& file : m_files) {
+        if (!file.temporary.empty())
+            continue;
+        const fs::path name = uniqueName(folderOf(file.target), file.fd);
+        if (const int code = linkNameless(file.fd, name); code != 0)
+            return unwritable(file.target, systemReason(code));
+        file.temporary = name;
+    }
     while (!m_files.empty()) {
-        File& file = m_files.front();
-        if (file.temporary.empty()) {
-            // A new file gets its name at once; one that replaces another needs a rename.
-            int code = linkNameless(file.fd, file.target);
-            if (code == EEXIST) {
-                const fs::path name = uniqueName(folderOf(file.target));
-                code = linkNameless(file.fd, name);
-                if (code == 0)
-                    file.temporary = name;
-            }
-            if (code != 0)
-                return unwritable(file.target, systemReason(code));
-        }
-        if (!file.temporary.empty() && ::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+        const File& file = m_files.front();
+        if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
             return unwritable(file.target, systemReason(errno));
         flushFolder(folderOf(file.target));
         ::close(file.fd);

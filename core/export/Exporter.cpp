@@ -4,6 +4,7 @@
 #include "core/base/OutputFiles.h"
 #include "core/export/TextonFile.h"
 #include "core/gaussian/Exemplar.h"
+#include "core/image/TextAttributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kAttributePrefix = "texton:";
+constexpr std::uintmax_t kMaxSidecar = std::uintmax_t{1} << 20U;
 constexpr double kLargestCode = 65535.0;
 /// The code that stands for 0 in a 16-bit file, so that the frame decodes to exactly 0.
 constexpr double kZeroCode = 32768.0;
@@ -202,8 +203,17 @@ Result<std::string> readText(const fs::path& path, std::uintmax_t limit) {
     return text;
 }
 
+/// Whether there is a sidecar that claims to be one of ours, right or not.
+bool hasSidecar(const fs::path& path) {
+    const auto text = readText(sidecarPath(path), kMaxSidecar);
+    if (!text)
+        return false;
+    const auto json = Json::parse(*text, nullptr, false);
+    return json.is_object() && json.value("format", Json()) == "texton";
+}
+
 Result<Description> readSidecar(const fs::path& path) {
-    const auto text = readText(sidecarPath(path), std::uintmax_t{1} << 20U);
+    const auto text = readText(sidecarPath(path), kMaxSidecar);
     if (!text)
         return text.error();
     const auto json = Json::parse(*text, nullptr, false);
@@ -233,6 +243,16 @@ void restoreMask(Texton& texton) {
         texton.support = *mask;
 }
 
+/// Whether the picture has the size and the channels of what is described.
+bool fits(const Description& description, const LoadedImage& loaded, TextonFormat format) {
+    const Texton& texton = description.asset.texton;
+    const Size footprint = texton.footprint();
+    const bool png = format == TextonFormat::Png;
+    return loaded.image.size() ==
+               Size{footprint.width, footprint.height * (png ? description.kernels : 1)} &&
+           loaded.image.channels() == texton.channels() * (png ? 1 : description.kernels);
+}
+
 Result<TextonAsset> withKernels(Description description,
                                 const LoadedImage& loaded,
                                 TextonFormat format,
@@ -242,9 +262,8 @@ Result<TextonAsset> withKernels(Description description,
     const Size footprint = texton.footprint();
     const int kernels = description.kernels;
     const bool png = format == TextonFormat::Png;
-    const Size expected{footprint.width, png ? footprint.height * kernels : footprint.height};
-    const int channels = texton.channels() * (png ? 1 : kernels);
-    if (image.size() != expected || image.channels() != channels)
+    const int channels = image.channels();
+    if (!fits(description, loaded, format))
         return Error{ErrorCode::Unreadable,
                      "the picture in " + quoted(path) + " does not match its description"};
     texton.kernels.assign(static_cast<std::size_t>(kernels),
@@ -300,9 +319,11 @@ Result<TextonAsset> loadTextonText(const fs::path& path) {
     auto asset = fromTextonFile(*text);
     if (!asset)
         return inFile("read", path, asset.error());
+    if (!hasSidecar(path))
+        return asset;
     const auto sidecar = readSidecar(path);
     if (!sidecar)
-        return asset;
+        return sidecar.error();
     const Texton& described = sidecar->asset.texton;
     Texton& texton = asset->texton;
     if (described.support.size() == texton.support.size() &&
@@ -345,6 +366,19 @@ Result<std::vector<fs::path>> saveTexton(const TextonAsset& asset,
     return written;
 }
 
+Result<void> checkTextonOutputs(std::span<const fs::path> outputs) {
+    OutputFiles files;
+    for (const fs::path& path : outputs) {
+        if (const auto format = formatForPath(path); !format)
+            return format.error();
+        for (const fs::path& file : {path, sidecarPath(path)}) {
+            if (const auto ok = files.add(file); !ok)
+                return ok.error();
+        }
+    }
+    return {};
+}
+
 Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path& path,
                                                                  const LoadOptions& options) {
     using Loaded = std::variant<TextonAsset, LoadedImage>;
@@ -365,12 +399,13 @@ Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path&
             return inFile("read", path, description.error());
         return asLoaded(withKernels(std::move(*description), *image, TextonFormat::OpenExr, path));
     }
-    std::error_code ec;
-    if (image->format == ImageFormat::Png && fs::exists(sidecarPath(path), ec)) {
+    if (image->format == ImageFormat::Png && hasSidecar(path)) {
         auto description = readSidecar(path);
         if (!description)
             return description.error();
-        return asLoaded(withKernels(std::move(*description), *image, TextonFormat::Png, path));
+        // A sidecar may be left over from a texton that this picture has replaced.
+        if (fits(*description, *image, TextonFormat::Png))
+            return asLoaded(withKernels(std::move(*description), *image, TextonFormat::Png, path));
     }
     return Loaded(std::move(*image));
 }
@@ -381,6 +416,9 @@ Result<TextonAsset> loadTexton(const fs::path& path) {
         return loaded.error();
     if (auto* asset = std::get_if<TextonAsset>(&*loaded))
         return std::move(*asset);
+    if (hasSidecar(path))
+        return Error{ErrorCode::Unreadable,
+                     "the picture in " + quoted(path) + " does not match its description"};
     return Error{ErrorCode::Unreadable,
                  quoted(path) + " is a picture and not a texton" +
                      (std::get<LoadedImage>(*loaded).format == ImageFormat::Png

@@ -18,6 +18,10 @@ namespace txn {
 [[nodiscard]] Result<std::vector<std::filesystem::path>>
 saveTexton(const TextonAsset& asset, std::span<const std::filesystem::path> outputs);
 
+/// Whether saveTexton could write these, as far as can be known before there is a texton: endings,
+/// folders, permissions. Errors: the same.
+[[nodiscard]] Result<void> checkTextonOutputs(std::span<const std::filesystem::path> outputs);
+
 /// Reads a texton back from any of these files. A PNG needs its sidecar beside it; for a `.texton`
 /// the sidecar, if there is one that fits, adds what the format cannot hold. Errors (naming
 /// the file): NotFound, Unreadable, Unsupported.

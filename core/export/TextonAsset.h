@@ -15,7 +15,7 @@ struct TextonAsset {
     Texton texton;
     NoiseProcess process = NoiseProcess::Stratified;
     double meanImpacts = defaultMeanImpacts(NoiseProcess::Stratified);
-    Seed seed;
+    Seed seed; ///< that the texton was computed with
     std::string exemplarName;
 
     bool operator==(const TextonAsset&) const = default;

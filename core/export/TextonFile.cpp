@@ -140,15 +140,15 @@ Result<TextonAsset> fromTextonFile(std::string_view text) {
         for (int x = -1; x <= support.width; ++x) {
             const bool frame = x < 0 || y < 0 || x >= support.width || y >= support.height;
             for (int c = 0; c < 3; ++c) {
-                const auto value = reader.number<float>();
-                if (!value || !(std::abs(*value) <= Exemplar::kLargestSample))
+                const auto value = reader.number<double>(); // which takes what a float rounds to 0
+                if (!value || !(std::abs(static_cast<float>(*value)) <= Exemplar::kLargestSample))
                     return broken("line " + std::to_string(reader.line()) +
                                   " should hold three coefficients");
-                if (frame && *value != 0.0F)
+                if (frame && *value != 0.0)
                     return broken("line " + std::to_string(reader.line()) +
                                   " lies on the border and should hold zeros");
                 if (!frame)
-                    kernel.at(x, y, c) = *value;
+                    kernel.at(x, y, c) = static_cast<float>(*value);
             }
         }
     }

@@ -69,12 +69,12 @@ Image sampleGaussian(const GaussianModel& model, GaussianMethod method, Seed see
 }
 
 Result<GaussianModel> enlarged(const Exemplar& exemplar, Size size, bool periodic) {
-    constexpr std::size_t kMaxPixels = std::size_t{1} << 28U;
+    constexpr std::size_t kMaxSamples = std::size_t{1} << 28U;
     const Size domain = exemplar.image.size();
     if (size.width < domain.width || size.height < domain.height)
         return Error{ErrorCode::InvalidArgument,
                      "the enlarged size may not be smaller than the exemplar"};
-    if (size.area() > kMaxPixels)
+    if (size.area() * static_cast<std::size_t>(exemplar.image.channels()) > kMaxSamples)
         return Error{ErrorCode::TooLarge,
                      "a Gaussian version of " + std::to_string(size.width) + " x " +
                          std::to_string(size.height) +

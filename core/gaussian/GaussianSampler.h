@@ -24,7 +24,7 @@ enum class GaussianMethod { Adsn, RandomPhase };
 enlarged(const Exemplar& exemplar, Size size, bool periodic = true);
 
 /// A Gaussian version of any size: larger ones through enlarged(), smaller ones are cut out.
-/// Errors: InvalidArgument for sizes below 1; TooLarge above 2^28 pixels.
+/// Errors: InvalidArgument for sizes below 1; TooLarge above 2^28 samples.
 [[nodiscard]] Result<Image> gaussianVersion(
     const Exemplar& exemplar, Size size, GaussianMethod method, Seed seed, bool periodic = true);
 

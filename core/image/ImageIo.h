@@ -97,9 +97,10 @@ class ImageWriter {
     /// scanlines, so any band height will do.
     [[nodiscard]] Result<void> writeRows(const Image& band);
 
-    /// Samples outside [0, 1] so far, clamped by an integer format; 0 for float formats.
+    /// Samples so far that the file cannot hold and that were clamped: outside [0, 1] for integer
+    /// formats, negative ones for HDR.
     std::size_t clippedSamples() const;
-    /// Whether the file holds integers, so that samples outside [0, 1] are clamped.
+    /// Whether the file has such limits: integer formats and HDR.
     bool clips() const;
 
     /// Closes the file and gives it its name.

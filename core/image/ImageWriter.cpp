@@ -257,6 +257,8 @@ Result<void> ImageWriter::State::openOutput(const std::string& temporary,
 /// Appends one row of the band to those held, as the file's values. Counts what will be clamped.
 void ImageWriter::State::hold(const Image& band, int row) {
     const bool clips = isInteger(format);
+    // RGBE has no signs, and its encoder makes something bright of what is below black.
+    const bool unsignedFloats = fileFormat == ImageFormat::Hdr;
     const bool encode = clips && layout.transfer == Transfer::Linear;
     const auto channels = static_cast<std::size_t>(layout.channels);
     float* to = held.data() + static_cast<std::size_t>(rowsHeld) * rowSamples();
@@ -272,6 +274,11 @@ void ImageWriter::State::hold(const Image& band, int row) {
                 }
                 if (encode)
                     value = std::clamp(encodedFromLinear(value), 0.0F, 1.0F);
+            } else if (unsignedFloats) {
+                if (!(value >= 0.0F)) {
+                    ++clipped;
+                    value = 0.0F;
+                }
             } else if (format == SampleFormat::Half && std::isfinite(value)) {
                 value = std::clamp(value, -kLargestHalf, kLargestHalf); // not to infinity
             }
@@ -395,7 +402,7 @@ std::size_t ImageWriter::clippedSamples() const {
 }
 
 bool ImageWriter::clips() const {
-    return isInteger(m_state->format);
+    return isInteger(m_state->format) || m_state->fileFormat == ImageFormat::Hdr;
 }
 
 Result<void> ImageWriter::finish() {

@@ -104,7 +104,17 @@ std::size_t Autocovariance::index(int i, int j, int dx, int dy) const {
 }
 
 double Autocovariance::norm(int lag) const {
-    return distance(Autocovariance(m_channels, lag), lag);
+    assert(lag <= m_maxLag);
+    double sum = 0.0;
+    for (int i = 0; i < m_channels; ++i) {
+        for (int j = 0; j < m_channels; ++j) {
+            for (int dy = -lag; dy <= lag; ++dy) {
+                for (int dx = -lag; dx <= lag; ++dx)
+                    sum += at(i, j, dx, dy) * at(i, j, dx, dy);
+            }
+        }
+    }
+    return std::sqrt(sum);
 }
 
 double Autocovariance::distance(const Autocovariance& other, int lag) const {

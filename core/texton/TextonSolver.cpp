@@ -12,17 +12,13 @@ namespace {
 /// The first iterations change too much to be extrapolated.
 constexpr int kPlainIterations = 3;
 
-std::string text(Size size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 Result<void> check(const GaussianModel& model, const TextonParams& params) {
     const Size support = params.support.size();
     const Size domain = model.domain();
     if (support.width > domain.width || support.height > domain.height)
         return Error{ErrorCode::SizeMismatch,
-                     "the support of " + text(support) + " is larger than the exemplar of " +
-                         text(domain) + "; choose a smaller support"};
+                     "the support of " + sizeText(support) + " is larger than the exemplar of " +
+                         sizeText(domain) + "; choose a smaller support"};
     if (!isInterpolationOrder(params.interpolationOrder))
         return Error{ErrorCode::InvalidArgument, "the interpolation order must be 0, 1, 3 or 5"};
     if (params.iterations < 1 || params.iterations > 100000)
