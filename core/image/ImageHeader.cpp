@@ -393,7 +393,7 @@ Result<void> HeaderReader::readTga() {
     const std::uint64_t paletteBytes =
         palette ? entries * static_cast<std::uint64_t>((entryBits + 7) / 8) : 0;
     const std::uint64_t at = 18 + idLength + paletteBytes;
-    const std::uint64_t pixelBytes = static_cast<std::uint64_t>((bits + 7) / 8);
+    const auto pixelBytes = static_cast<std::uint64_t>((bits + 7) / 8);
     // A packet of at least two bytes codes 128 pixels at most.
     const bool enough =
         runLength ? m_bytes.has(at, pixels() / 64) : m_bytes.has(at, pixels() * pixelBytes);

@@ -89,6 +89,7 @@ std::vector<std::string> defaultChannelNames(int channels) {
     if (channels == 3)
         return {"R", "G", "B"};
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(channels));
     for (int c = 0; c < channels; ++c)
         names.push_back((channels > 10 && c < 10 ? "0" : "") + std::to_string(c));
     return names;
@@ -294,8 +295,10 @@ const void* ImageWriter::State::quantized() {
     integers.resize(count * sizeof(Integer));
     auto* to = reinterpret_cast<Integer*>(integers.data());
     constexpr float kWhite = std::numeric_limits<Integer>::max();
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = static_cast<Integer>(held[i] * kWhite + 0.5F);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float code = held[i] * kWhite + 0.5F; // of values in [0, 1]
+        to[i] = static_cast<Integer>(code);
+    }
     return to;
 }
 
