@@ -22,9 +22,7 @@ struct Options {
 };
 
 Result<void> run(const Options& options) {
-    if (const auto ok = checkNotInput(options.exemplar.path, options.output); !ok)
-        return ok.error();
-    if (const auto ok = checkPictureOutput(options.output); !ok)
+    if (const auto ok = checkPictureOutput(options.exemplar.path, options.output); !ok)
         return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)

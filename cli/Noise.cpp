@@ -30,9 +30,7 @@ struct Options {
 };
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
-    if (const auto ok = checkNotInput(options.texton, options.output); !ok)
-        return ok.error();
-    if (const auto ok = checkPictureOutput(options.output); !ok)
+    if (const auto ok = checkPictureOutput(options.texton, options.output); !ok)
         return ok.error();
     std::unique_ptr<tbb::global_control> limit;
     if (options.threads > 0)

@@ -24,4 +24,11 @@ Result<void> checkPictureOutput(const std::filesystem::path& output) {
     return {};
 }
 
+Result<void> checkPictureOutput(const std::filesystem::path& input,
+                                const std::filesystem::path& output) {
+    if (const auto ok = checkNotInput(input, output); !ok)
+        return ok.error();
+    return checkPictureOutput(output);
+}
+
 } // namespace txn::cli

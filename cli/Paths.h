@@ -14,5 +14,8 @@ namespace txn::cli {
 
 /// For pictures. Errors: Unsupported endings; Unwritable places.
 [[nodiscard]] Result<void> checkPictureOutput(const std::filesystem::path& output);
+/// Both.
+[[nodiscard]] Result<void> checkPictureOutput(const std::filesystem::path& input,
+                                              const std::filesystem::path& output);
 
 } // namespace txn::cli

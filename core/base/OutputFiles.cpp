@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -63,22 +62,6 @@ int linkNameless(int fd, const fs::path& path) {
                ? 0
                : errno;
 }
-
-/// Keeps signals from ending the program between two names.
-class SignalsHeldBack {
-  public:
-    SignalsHeldBack() {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_BLOCK, &all, &m_before);
-    }
-    SignalsHeldBack(const SignalsHeldBack&) = delete;
-    SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
-    ~SignalsHeldBack() { pthread_sigmask(SIG_SETMASK, &m_before, nullptr); }
-
-  private:
-    sigset_t m_before{};
-};
 
 /// Makes sure that a rename in the folder survives a power cut. Failing here loses nothing.
 void flushFolder(const fs::path& folder) {
@@ -174,7 +157,6 @@ Result<void> OutputFiles::commit() {
         if (::fsync(file.fd) != 0)
             return unwritable(file.target, systemReason(errno));
     }
-    const SignalsHeldBack guard;
     // All that may fail comes before the first old file is replaced.
     for (File& file : m_files) {
         if (!file.temporary.empty())
@@ -184,14 +166,18 @@ Result<void> OutputFiles::commit() {
             return unwritable(file.target, systemReason(code));
         file.temporary = name;
     }
+    // Nothing slow between one new name and the next.
+    std::vector<fs::path> folders;
     while (!m_files.empty()) {
         const File& file = m_files.front();
         if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
             return unwritable(file.target, systemReason(errno));
-        flushFolder(folderOf(file.target));
+        folders.push_back(folderOf(file.target));
         ::close(file.fd);
         m_files.erase(m_files.begin());
     }
+    for (const fs::path& folder : folders)
+        flushFolder(folder);
     return {};
 }
 

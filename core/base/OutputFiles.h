@@ -11,8 +11,9 @@ namespace txn {
 
 /// Files that appear together or not at all: each is written without a name in the folder where it
 /// belongs, and commit() gives them their names. Destroyed without commit(), or killed, it leaves
-/// nothing behind, and existing files stay as they were. (On the few file systems that know no
-/// nameless files, a kill may leave a file called .texton-...) Move-only; one thread at a time.
+/// nothing behind, and existing files stay as they were. (A kill in the
+/// instant of the renames, or on the few file systems that know no nameless files, may leave a file
+/// called .texton-...) Move-only; one thread at a time.
 class OutputFiles {
   public:
     OutputFiles() = default;
@@ -34,7 +35,8 @@ class OutputFiles {
     /// add() and write the whole text.
     [[nodiscard]] Result<void> addText(const std::filesystem::path& target, std::string_view text);
 
-    /// Flushes every file to the disk and gives each its final name.
+    /// Flushes every file to the disk and gives each its final name. Whatever can fail or takes
+    /// time comes first, then the renames, one after another.
     [[nodiscard]] Result<void> commit();
 
   private:
