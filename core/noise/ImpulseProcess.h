@@ -51,6 +51,12 @@ class ImpulseProcess {
     /// lambda: impulses per square exemplar pixel.
     double intensity() const { return 1.0 / (m_cellWidth * m_cellHeight); }
     NoiseProcess process() const { return m_process; }
+    /// Of one cell, in exemplar pixels.
+    double cellWidth() const { return m_cellWidth; }
+    double cellHeight() const { return m_cellHeight; }
+    /// In cells; 0: endless.
+    std::int32_t periodX() const { return m_periodX; }
+    std::int32_t periodY() const { return m_periodY; }
 
     /// Calls visit(const Impulse&) for all impulses of the cells that meet the rectangle
     /// [left, right] x [top, bottom], row by row of cells; some may lie just outside.
@@ -101,7 +107,7 @@ class ImpulseProcess {
     std::uint32_t m_kernelCount;
     double m_cellWidth = 0.0;
     double m_cellHeight = 0.0;
-    std::int32_t m_periodX = 0; ///< in cells; 0: endless
+    std::int32_t m_periodX = 0;
     std::int32_t m_periodY = 0;
 };
 

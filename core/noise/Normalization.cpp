@@ -2,21 +2,28 @@
 #include "core/noise/Normalization.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace txn {
+
+std::vector<double> kernelSums(const Texton& texton) {
+    std::vector<double> sums(texton.mean.size(), 0.0);
+    for (const Image& kernel : texton.kernels) {
+        for (std::size_t c = 0; c < sums.size(); ++c) {
+            const auto plane = kernel.plane(static_cast<int>(c));
+            sums[c] += std::accumulate(plane.begin(), plane.end(), 0.0);
+        }
+    }
+    return sums;
+}
 
 Normalization normalization(const Texton& texton, const ImpulseProcess& impulses) {
     const double perKernel = impulses.intensity() / texton.kernelCount();
     Normalization result{1.0 / std::sqrt(perKernel), texton.mean};
     if (impulses.process() == NoiseProcess::Poisson) {
-        for (const Image& kernel : texton.kernels) {
-            for (int c = 0; c < texton.channels(); ++c) {
-                double sum = 0.0;
-                for (const float v : kernel.plane(c))
-                    sum += v;
-                result.offset[static_cast<std::size_t>(c)] -= std::sqrt(perKernel) * sum;
-            }
-        }
+        const auto sums = kernelSums(texton);
+        for (std::size_t c = 0; c < sums.size(); ++c)
+            result.offset[c] -= std::sqrt(perKernel) * sums[c];
     }
     return result;
 }

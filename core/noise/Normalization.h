@@ -17,6 +17,9 @@ struct Normalization {
     std::vector<double> offset; ///< C values
 };
 
+/// Sum over kernels and positions of the coefficients of each of the C channels.
+[[nodiscard]] std::vector<double> kernelSums(const Texton& texton);
+
 [[nodiscard]] Normalization normalization(const Texton& texton, const ImpulseProcess& impulses);
 
 } // namespace txn

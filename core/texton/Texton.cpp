@@ -3,6 +3,8 @@
 
 #include "core/spectral/BSpline.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace txn {
@@ -34,6 +36,19 @@ std::vector<double> filtered(std::span<const float> plane, Size size, int order)
 }
 
 } // namespace
+
+Texton firstChannels(const Texton& texton, int count) {
+    assert(count >= 1 && count <= texton.channels());
+    Texton result = texton;
+    result.mean.resize(static_cast<std::size_t>(count));
+    for (Image& kernel : result.kernels) {
+        Image fewer(kernel.size(), count, 0.0F, kernel.transfer());
+        for (int c = 0; c < count; ++c)
+            std::ranges::copy(kernel.plane(c), fewer.plane(c).begin());
+        kernel = std::move(fewer);
+    }
+    return result;
+}
 
 std::vector<double> noiseCovariance(const Texton& texton) {
     const auto channels = static_cast<std::size_t>(texton.channels());

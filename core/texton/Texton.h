@@ -37,6 +37,9 @@ struct Texton {
     bool operator==(const Texton&) const = default;
 };
 
+/// The first count of a texton's channels.
+[[nodiscard]] Texton firstChannels(const Texton& texton, int count);
+
 /// C x C covariance at lag 0 of the noise of a texton, row-major: sum over kernels and lags of
 /// b(lag) (alpha * alpha~)(lag). In double precision.
 [[nodiscard]] std::vector<double> noiseCovariance(const Texton& texton);
