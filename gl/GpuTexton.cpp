@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/GpuTexton.h"
+
+#include "core/noise/FilterFade.h"
+#include "core/spectral/BSpline.h"
+#include "gl/GlContext.h"
+#include "gl/ShaderProgram.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <epoxy/gl.h>
+#include <glm/geometric.hpp>
+
+namespace txn {
+namespace {
+
+/// A texel of a mipmap and the interpolation between texels blur more than a pixel of that size
+/// would: with texels of this share of it, noise keeps its energy to a few per cent.
+constexpr double kMipmapShare = 0.75;
+constexpr float kMostFetches = 16.0F; ///< along the longer side of a pixel
+
+/// Texels of one mipmap level: Q layers of rows of RGBA.
+struct Level {
+    Size size;
+    std::size_t layers;
+    std::vector<float> texels;
+
+    Level(Size s, std::size_t q) : size(s), layers(q), texels(s.area() * q * 4, 0.0F) {}
+    float* texel(std::size_t layer, int x, int y) {
+        return texels.data() +
+               ((layer * static_cast<std::size_t>(size.height) + static_cast<std::size_t>(y)) *
+                    static_cast<std::size_t>(size.width) +
+                static_cast<std::size_t>(x)) *
+                   4;
+    }
+};
+
+/// The coefficients, inside their frame of zeros.
+Level coefficients(const Texton& texton, Size size) {
+    Level level(size, texton.kernels.size());
+    const int frame = texton.frame();
+    for (std::size_t q = 0; q < level.layers; ++q) {
+        const Image& kernel = texton.kernels[q];
+        for (int y = 0; y < kernel.height(); ++y) {
+            for (int x = 0; x < kernel.width(); ++x) {
+                for (int c = 0; c < kernel.channels(); ++c)
+                    level.texel(q, x + frame, y + frame)[c] = kernel.at(x, y, c);
+            }
+        }
+    }
+    return level;
+}
+
+/// Samples of the kernels at density texels per exemplar pixel, for orders whose kernels are
+/// smoother than what the hardware interpolates.
+Level samples(const Texton& texton, Size size, int density) {
+    const Level grid = coefficients(texton, texton.footprint());
+    // Along x, then along y, each by the weights of the B-spline at the texels' centres.
+    const auto resampled = [&](Level from, Size to, bool alongX) {
+        Level out(to, from.layers);
+        const int count = alongX ? from.size.width : from.size.height;
+        const int lines = alongX ? from.size.height : from.size.width;
+        const int length = std::min(alongX ? to.width : to.height, count * density);
+        for (int n = 0; n < length; ++n) {
+            const auto weights =
+                bsplineWeights(texton.interpolationOrder, (n + 0.5) / density - 0.5);
+            for (int i = 0; i <= texton.interpolationOrder; ++i) {
+                const auto k = static_cast<int>(weights.first + i);
+                if (k < 0 || k >= count)
+                    continue;
+                for (std::size_t q = 0; q < from.layers; ++q) {
+                    for (int line = 0; line < lines; ++line) {
+                        const float* in = alongX ? from.texel(q, k, line) : from.texel(q, line, k);
+                        float* sum = alongX ? out.texel(q, n, line) : out.texel(q, line, n);
+                        for (int c = 0; c < 4; ++c)
+                            sum[c] += weights.weight[i] * in[c];
+                    }
+                }
+            }
+        }
+        return out;
+    };
+    return resampled(resampled(grid, {size.width, grid.size.height}, true), size, false);
+}
+
+/// Half the size, each texel the mean of four. Sides of 1 stay.
+Level halved(Level& from) {
+    Level to({std::max(1, from.size.width / 2), std::max(1, from.size.height / 2)}, from.layers);
+    const int stepX = from.size.width / to.size.width;
+    const int stepY = from.size.height / to.size.height;
+    const float weight = 1.0F / static_cast<float>(stepX * stepY);
+    for (std::size_t q = 0; q < to.layers; ++q) {
+        for (int y = 0; y < from.size.height; ++y) {
+            for (int x = 0; x < from.size.width; ++x) {
+                for (int c = 0; c < 4; ++c)
+                    to.texel(q, x / stepX, y / stepY)[c] += weight * from.texel(q, x, y)[c];
+            }
+        }
+    }
+    return to;
+}
+
+int powerOfTwo(int length) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(length)));
+}
+
+void upload(int number, const Level& level) {
+    glTexImage3D(GL_TEXTURE_2D_ARRAY,
+                 number,
+                 GL_RGBA32F,
+                 level.size.width,
+                 level.size.height,
+                 static_cast<GLsizei>(level.layers),
+                 0,
+                 GL_RGBA,
+                 GL_FLOAT,
+                 level.texels.data());
+}
+
+} // namespace
+
+Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& texton, bool filtered) {
+    if (texton.channels() > 4)
+        return Error{ErrorCode::Unsupported,
+                     "at most 4 channels can be drawn at a time, not " +
+                         std::to_string(texton.channels())};
+    if (texton.kernelCount() > context.maxTextureLayers())
+        return Error{ErrorCode::TooLarge,
+                     "this graphics driver takes at most " +
+                         std::to_string(context.maxTextureLayers()) + " kernels, not " +
+                         std::to_string(texton.kernelCount())};
+    const Size footprint = texton.footprint();
+    const int density = filtered && texton.interpolationOrder > 1 ? 2 : 1;
+    // Powers of two: then a texel of a mipmap covers four of the level below exactly.
+    const Size size = filtered ? Size{powerOfTwo(footprint.width * density),
+                                      powerOfTwo(footprint.height * density)}
+                               : footprint;
+    if (std::max(size.width, size.height) > context.maxTextureSide())
+        return Error{ErrorCode::TooLarge,
+                     "this graphics driver takes textures of at most " +
+                         std::to_string(context.maxTextureSide()) +
+                         " pixels a side; please use a smaller support"};
+
+    GpuTexton result;
+    result.m_filtered = filtered;
+    result.m_order = texton.interpolationOrder;
+    result.m_density = density;
+    result.m_footprint = {footprint.width, footprint.height};
+    result.m_side = glm::vec2(size.width, size.height) / static_cast<float>(density);
+    result.m_kernels = GlHandle::make(context, GlHandle::Kind::Texture);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, result.m_kernels.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    Level level = density == 1 ? coefficients(texton, size) : samples(texton, size, density);
+    upload(0, level);
+    int last = 0;
+    while (filtered && (level.size.width > 1 || level.size.height > 1)) {
+        level = halved(level);
+        upload(++last, level);
+    }
+    const auto set = [](GLenum name, int value) {
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, name, value);
+    };
+    set(GL_TEXTURE_MAX_LEVEL, last);
+    set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    set(GL_TEXTURE_MIN_FILTER, filtered ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
+    set(GL_TEXTURE_MAG_FILTER, filtered && texton.interpolationOrder > 0 ? GL_LINEAR : GL_NEAREST);
+    constexpr std::array kZero{0.0F, 0.0F, 0.0F, 0.0F};
+    glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, kZero.data());
+    if (texton.channels() == 1) {
+        set(GL_TEXTURE_SWIZZLE_G, GL_RED);
+        set(GL_TEXTURE_SWIZZLE_B, GL_RED);
+    }
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+
+    if (filtered) {
+        const FilterFade fade = filterFade(texton);
+        const auto channels = static_cast<std::size_t>(fade.channels);
+        std::vector<float> texels;
+        texels.reserve(fade.ratios.size() / channels * 4);
+        for (std::size_t i = 0; i < fade.ratios.size(); i += channels) {
+            for (std::size_t c = 0; c < 4; ++c)
+                texels.push_back(fade.ratios[i + (channels == 1 ? 0 : std::min(c, channels - 1))]);
+        }
+        result.m_fades = GlHandle::make(context, GlHandle::Kind::Texture);
+        glBindTexture(GL_TEXTURE_3D, result.m_fades.id());
+        glTexImage3D(GL_TEXTURE_3D,
+                     0,
+                     GL_RGBA32F,
+                     FilterFade::kMajor,
+                     FilterFade::kMinor,
+                     FilterFade::kAngles,
+                     0,
+                     GL_RGBA,
+                     GL_FLOAT,
+                     texels.data());
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_REPEAT);
+        glBindTexture(GL_TEXTURE_3D, 0);
+    }
+    return result;
+}
+
+ShaderDefines GpuTexton::defines(const GlContext& context, Filter filter, bool oneScale) const {
+    if (!m_filtered)
+        return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}};
+    const bool hardware = filter == Filter::Hardware && context.maxAnisotropy() > 1.0F;
+    return {{"TXN_FILTER",
+             oneScale   ? "2"
+             : hardware ? "1"
+                        : "3"},
+            {"TXN_FADE_MINOR", std::to_string(FilterFade::kMinorOctaves)}};
+}
+
+void GpuTexton::apply(ShaderProgram& program, const GlContext& context, Filter filter) const {
+    program.set("txnKernels", 0);
+    program.set("txnFootprint", m_footprint);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, m_kernels.id());
+    if (!m_filtered)
+        return;
+    const float hardware =
+        filter == Filter::Hardware ? std::min(context.maxAnisotropy(), kMostFetches) : 1.0F;
+    // Mesa's software renderer falls back to its slow anisotropic filter even where a level is
+    // asked for, unless this is 1.
+    if (context.maxAnisotropy() > 1.0F)
+        glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT, hardware);
+    program.set("txnKernelSide", m_side);
+    program.set("txnAnisotropy", filter == Filter::Anisotropic ? kMostFetches : hardware);
+    program.set("txnReach", std::max(m_footprint.x, m_footprint.y));
+    program.set("txnDensity", static_cast<float>(m_density));
+    program.set("txnMipmapShare", static_cast<float>(kMipmapShare));
+    program.set("txnFades", 1);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_3D, m_fades.id());
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void GpuTexton::applyOneScale(ShaderProgram& program,
+                              const GlContext& context,
+                              Filter filter,
+                              const glm::dvec2& right,
+                              const glm::dvec2& down) const {
+    apply(program, context, filter == Filter::None ? Filter::None : Filter::Mipmap);
+    const double reach = std::max(m_footprint.x, m_footprint.y);
+    const double side = glm::length(right);
+    const double width = std::min(side, reach);
+    const bool four = filter == Filter::Anisotropic && width > 1.0;
+    const double texels = (four ? 0.5 : 1.0) * width * m_density * kMipmapShare;
+    program.set("txnLevel", static_cast<float>(std::max(0.0, std::log2(texels))));
+    const double quarter = four ? 0.25 * width / side : 0.0;
+    program.set("txnQuarterRight", glm::vec2(quarter * right));
+    program.set("txnQuarterDown", glm::vec2(quarter * down));
+}
+
+void GpuTexton::unbind() {
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_3D, 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+}
+
+} // namespace txn

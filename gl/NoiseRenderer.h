@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/TriangleMesh.h"
+#include "core/texton/Texton.h"
+#include "gl/NoiseStyle.h"
+#include "gl/OffscreenTarget.h"
+#include "gl/View.h"
+
+#include <memory>
+
+namespace txn {
+
+/// Draws texton noise: the same noise as SpotNoise and NoiseGrid, in any view. What it draws is set
+/// without a context; what that needs on the graphics card is made when it is drawn, and made again
+/// when the context is another one. Move-only; draw() and release() belong to the context's thread.
+class NoiseRenderer {
+  public:
+    NoiseRenderer();
+    NoiseRenderer(NoiseRenderer&&) noexcept;
+    NoiseRenderer& operator=(NoiseRenderer&&) noexcept;
+    /// The context that was drawn with last must be current or gone.
+    ~NoiseRenderer();
+
+    /// texton: 1 to 4 channels, shown as grey (1), as red and green (2), as colours (3), as colours
+    /// and alpha (4).
+    void setTexton(std::shared_ptr<const Texton> texton);
+    /// For mesh views. Computes its tangent field, which may take a moment.
+    void setMesh(std::shared_ptr<const TriangleMesh> mesh);
+
+    /// Draws the view over all of target. The framebuffer, the viewport and the state that OpenGL
+    /// starts with are put back; other state of the caller may be lost (program, textures of units
+    /// 0 to 6, blending, depth test). Errors: InvalidArgument for values out of range, or without a
+    /// texton or a mesh; Unsupported where the texton or the mesh does not suit the view, or the
+    /// driver refuses a shader; TooLarge.
+    [[nodiscard]] Result<void> draw(const GlContext& context,
+                                    const View& view,
+                                    const NoiseStyle& style,
+                                    const OffscreenTarget& target);
+
+    /// Gives back everything on the graphics card; the next draw() makes it again.
+    void release();
+
+  private:
+    struct Card;
+    struct MeshData;
+
+    Result<void> prepare(const GlContext& context, const View& view, const NoiseStyle& style);
+
+    std::shared_ptr<const Texton> m_texton;
+    std::shared_ptr<const MeshData> m_mesh;
+    std::unique_ptr<Card> m_card;
+};
+
+/// Errors: InvalidArgument for values that draw() does not take, the first one named.
+[[nodiscard]] Result<void> checkView(const View& view);
+[[nodiscard]] Result<void> checkStyle(const NoiseStyle& style);
+
+} // namespace txn

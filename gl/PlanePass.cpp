@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/PlanePass.h"
+
+#include "core/noise/ImpulseProcess.h"
+#include "gl/NoiseUniforms.h"
+#include "gl/PlaneMap.h"
+
+#include <cmath>
+#include <epoxy/gl.h>
+#include <glm/common.hpp>
+
+namespace txn {
+namespace {
+
+/// Tells the shader in which cell a point lies, and where in it; cells as the hash counts them.
+void setBase(ShaderProgram& program, const ImpulseProcess& impulses, glm::dvec2 point) {
+    const glm::dvec2 place = point / glm::dvec2(impulses.cellWidth(), impulses.cellHeight());
+    const glm::dvec2 cell = glm::floor(place);
+    program.set("baseCell", glm::ivec2(cell));
+    program.set("basePlace", glm::vec2(place - cell));
+}
+
+/// value to about 11 bits, the last one the same for all of a picture's steps: its products with
+/// counts of pixels, and their sums, are exact in single precision.
+glm::dvec2 coarse(glm::dvec2 value, double largest) {
+    const double unit = std::exp2(std::ceil(std::log2(largest)) - 10.0);
+    return glm::round(value / unit) * unit;
+}
+
+} // namespace
+
+void PlanePass::fill(const GlContext& context) {
+    if (!m_vertices)
+        m_vertices = GlHandle::make(context, GlHandle::Kind::VertexArray);
+    glBindVertexArray(m_vertices.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
+Result<void>
+PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift) {
+    auto program =
+        m_above.get(source.context, source.gpu.defines(source.context, source.style.filter, true));
+    if (!program)
+        return program.error();
+    ShaderProgram& shader = **program;
+    shader.use();
+    setNoiseUniforms(shader, source.texton, source.style.noise);
+    const ImpulseProcess impulses(source.style.noise,
+                                  source.texton.footprint(),
+                                  source.texton.kernelCount());
+    const PlaneMap map = planeMap(view, size);
+    source.gpu.applyOneScale(shader, source.context, source.style.filter, map.right, map.down);
+    setBase(shader, impulses, map.middle + shift.x * map.right + shift.y * map.down);
+    const glm::dvec2 cell{impulses.cellWidth(), impulses.cellHeight()};
+    const glm::dvec2 right = map.right / cell;
+    const glm::dvec2 down = map.down / cell;
+    const glm::dvec2 sizes = glm::max(glm::abs(right), glm::abs(down));
+    const double largest = std::max(sizes.x, sizes.y);
+    const glm::dvec2 rightHigh = coarse(right, largest);
+    const glm::dvec2 downHigh = coarse(down, largest);
+    shader.set("middle", middlePixel(size));
+    shader.set("height", size.height);
+    shader.set("rightHigh", glm::vec2(rightHigh));
+    shader.set("rightLow", glm::vec2(right - rightHigh));
+    shader.set("downHigh", glm::vec2(downHigh));
+    shader.set("downLow", glm::vec2(down - downHigh));
+    fill(source.context);
+    return {};
+}
+
+Result<void>
+PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, glm::dvec2 shift) {
+    auto program = m_ground.get(source.context,
+                                source.gpu.defines(source.context, source.style.filter, false));
+    if (!program)
+        return program.error();
+    ShaderProgram& shader = **program;
+    shader.use();
+    source.gpu.apply(shader, source.context, source.style.filter);
+    setNoiseUniforms(shader, source.texton, source.style.noise);
+    const ImpulseProcess impulses(source.style.noise,
+                                  source.texton.footprint(),
+                                  source.texton.kernelCount());
+    const GroundMap map = groundMap(view, size);
+    setBase(shader, impulses, map.base);
+    shader.set("middle", middlePixel(size));
+    shader.set("height", size.height);
+    shader.set("rayMiddle", glm::vec3(map.middle + shift.x * map.right + shift.y * map.down));
+    shader.set("rayRight", glm::vec3(map.right));
+    shader.set("rayDown", glm::vec3(map.down));
+    shader.set("background", glm::vec4(view.background, 1.0F));
+    fill(source.context);
+    return {};
+}
+
+} // namespace txn

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: CC0-1.0
+// The plane as a ground that goes on to the horizon.
+#include "texton_noise.glsl"
+
+uniform ivec2 middle; // the pixel from which steps are counted, y down
+uniform int height;   // of the picture
+uniform ivec2 baseCell;
+uniform vec2 basePlace;
+// A pixel sees the point q.xy / q.z, in exemplar pixels from the base; nothing where q.z <= 0.
+uniform vec3 rayMiddle;
+uniform vec3 rayRight;
+uniform vec3 rayDown;
+uniform vec4 background;
+
+out vec4 color;
+
+void main() {
+    vec2 n = vec2(ivec2(gl_FragCoord.x, height - 1 - int(gl_FragCoord.y)) - middle);
+    vec3 q = rayMiddle + n.x * rayRight + n.y * rayDown;
+    // How much of the pixel lies below the horizon.
+#if TXN_FILTER
+    float ground = clamp(q.z / length(vec2(rayRight.z, rayDown.z)) + 0.5, 0.0, 1.0);
+#else
+    float ground = float(q.z > 0.0);
+#endif
+    if (q.z <= 0.0) {
+        color = mix(background, txnOffset, ground);
+        return;
+    }
+    vec2 point = q.xy / q.z;
+    vec2 dx = (rayRight.xy - point * rayRight.z) / q.z;
+    vec2 dy = (rayDown.xy - point * rayDown.z) / q.z;
+    vec2 place = clamp(point / txnCell, -1e7, 1e7) + basePlace;
+    vec2 cell = floor(place);
+    vec4 noise = textonNoise(baseCell + ivec2(cell), place - cell, dx, dy);
+    color = mix(background, noise, ground);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: CC0-1.0
+
+// Texton noise in the plane: Galerne, Leclaire, Moisan, "Texton Noise", Computer Graphics Forum
+// 2017, with stratified impulses of random sign as one of its processes.
+#include "hash.glsl"
+#include "kernel.glsl"
+
+uniform int txnProcess; // 0: stratified, 1: signed, 2: Poisson
+uniform uint txnSeed;
+uniform int txnKernelCount;
+uniform vec2 txnCell;    // size of a cell in exemplar pixels; one impulse each, or one on average
+uniform ivec2 txnPeriod; // in cells, after which noise repeats; 0: never
+uniform vec4 txnGain;
+uniform vec4 txnOffset;
+
+uint txnWrapped(int cell, int period) {
+    if (period == 0)
+        return uint(cell);
+    // The sign of % is the driver's choice for negative numbers.
+    int rest = cell - int(floor(float(cell) / float(period))) * period;
+    return uint(rest < 0 ? rest + period : rest >= period ? rest - period : rest);
+}
+
+// Noise at a point given as a cell of the plane and the place in it (in cells, any number). dx, dy:
+// steps in exemplar pixels to the next pixel of the picture.
+vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
+    TxnPixel pixel = txnPixel(dx, dy);
+    ivec2 first = ivec2(floor(place - (txnFootprint + pixel.margin) / txnCell));
+    ivec2 last = ivec2(floor(place + pixel.margin / txnCell));
+    vec4 sum = vec4(0.0);
+    for (int j = first.y; j <= last.y; ++j) {
+        for (int i = first.x; i <= last.x; ++i) {
+            uvec2 hashed = uvec2(txnWrapped(cell.x + i, txnPeriod.x),
+                                 txnWrapped(cell.y + j, txnPeriod.y));
+            int count = 1;
+            if (txnProcess != 0)
+                count = txnPoissonCount(txnHash(uvec4(hashed, 0xffffffffu, txnSeed)).x);
+            for (int n = 0; n < count; ++n) {
+                uvec4 h = txnHash(uvec4(hashed, uint(n), txnSeed));
+                // From the top left corner of the footprint that was dropped there.
+                vec2 y = (place - vec2(i, j) - vec2(txnUnit(h.x), txnUnit(h.y))) * txnCell;
+                if (all(greaterThanEqual(y, -pixel.margin)) &&
+                    all(lessThan(y, txnFootprint + pixel.margin))) {
+                    int kernel = int(((h.w >> 16u) * uint(txnKernelCount)) >> 16u);
+                    vec4 value = txnKernel(kernel, y, pixel);
+                    sum += txnProcess != 2 && (h.z >> 31u) != 0u ? -value : value;
+                }
+            }
+        }
+    }
+    return txnOffset + txnGain * pixel.fade * sum;
+}
+
+// The same at a point in exemplar pixels.
+vec4 textonNoise(vec2 point, vec2 dx, vec2 dy) {
+    vec2 place = point / txnCell;
+    vec2 cell = floor(clamp(place, -1e8, 1e8));
+    return textonNoise(ivec2(cell), place - cell, dx, dy);
+}
