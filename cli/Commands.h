@@ -20,6 +20,7 @@ void addCompute(CLI::App& app, Session& session);
 void addGaussian(CLI::App& app, Session& session);
 void addPeriodic(CLI::App& app, Session& session);
 void addNoise(CLI::App& app, Session& session);
+void addRender(CLI::App& app, Session& session);
 void addCompare(CLI::App& app, Session& session);
 void addSheet(CLI::App& app, Session& session);
 void addInfo(CLI::App& app, Session& session);

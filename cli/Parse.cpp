@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Parse.h"
 
+#include <algorithm>
 #include <charconv>
-#include <vector>
+#include <cmath>
 
 namespace txn::cli {
 namespace {
 
-/// Whole numbers between separators, and nothing else.
-std::optional<std::vector<std::int64_t>> numbers(const std::string& text, char separator) {
-    std::vector<std::int64_t> result;
+/// Numbers of one kind between separators, and nothing else.
+template <class Number = std::int64_t>
+std::optional<std::vector<Number>> numbers(const std::string& text, char separator) {
+    std::vector<Number> result;
     const char* at = text.data();
     const char* end = at + text.size();
     while (true) {
-        std::int64_t value = 0;
+        Number value = 0;
         const auto [next, error] = std::from_chars(at, end, value);
         if (error != std::errc())
             return std::nullopt;
@@ -64,6 +66,15 @@ std::optional<std::pair<std::int64_t, std::int64_t>> parsePoint(const std::strin
     if (!values || values->size() != 2)
         return std::nullopt;
     return std::pair((*values)[0], (*values)[1]);
+}
+
+std::optional<std::vector<double>>
+parseNumbers(const std::string& text, std::size_t fewest, std::size_t most) {
+    auto values = numbers<double>(text, ',');
+    if (!values || values->size() < fewest || values->size() > most ||
+        !std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }))
+        return std::nullopt;
+    return values;
 }
 
 std::optional<SampleFormat> parseDepth(const std::string& text) {

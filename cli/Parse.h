@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace txn::cli {
 
@@ -20,6 +21,9 @@ namespace txn::cli {
 /// "X,Y", of either sign.
 [[nodiscard]] std::optional<std::pair<std::int64_t, std::int64_t>>
 parsePoint(const std::string& text);
+/// Numbers of any kind between commas, from fewest to most of them; none is infinite.
+[[nodiscard]] std::optional<std::vector<double>>
+parseNumbers(const std::string& text, std::size_t fewest, std::size_t most);
 /// "8", "16", "half" or "float".
 [[nodiscard]] std::optional<SampleFormat> parseDepth(const std::string& text);
 

@@ -73,6 +73,7 @@ int run(int argc, char** argv, txn::cli::Session& session) {
     txn::cli::addGaussian(app, session);
     txn::cli::addPeriodic(app, session);
     txn::cli::addSheet(app, session);
+    txn::cli::addRender(app, session);
     txn::cli::addCompare(app, session);
     txn::cli::addInfo(app, session);
     txn::cli::addSample(app, session);
