@@ -54,8 +54,17 @@ void shareWithinFan(std::span<const std::uint32_t> members,
                     const std::vector<glm::dvec3>& sums,
                     double smallestCosine,
                     std::vector<glm::dvec3>& shared) {
-    const bool allSmooth = members.size() > kLargestFan;
+    // Comparing all with all would take forever where very many meet.
+    if (members.size() > kLargestFan) {
+        glm::dvec3 total(0.0);
+        for (const std::uint32_t vertex : members)
+            total += sums[vertex];
+        for (const std::uint32_t vertex : members)
+            shared[vertex] = total;
+        return;
+    }
     std::vector<glm::dvec3> directions;
+    directions.reserve(members.size());
     for (const std::uint32_t vertex : members)
         directions.push_back(unitOrZero(sums[vertex]));
     std::vector<bool> taken(members.size(), false);
@@ -70,8 +79,7 @@ void shareWithinFan(std::span<const std::uint32_t> members,
             const std::size_t from = cluster[k];
             total += sums[members[from]];
             for (std::size_t to = first + 1; to < members.size(); ++to) {
-                if (!taken[to] &&
-                    (allSmooth || glm::dot(directions[from], directions[to]) >= smallestCosine)) {
+                if (!taken[to] && glm::dot(directions[from], directions[to]) >= smallestCosine) {
                     taken[to] = true;
                     cluster.push_back(to);
                 }
