@@ -11,14 +11,12 @@
 #include <bit>
 #include <cmath>
 #include <epoxy/gl.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace txn {
 namespace {
 
-/// A texel of a mipmap and the interpolation between texels blur more than a pixel of that size
-/// would: with texels of this share of it, noise keeps its energy to a few per cent.
-constexpr double kMipmapShare = 0.75;
 constexpr float kMostFetches = 16.0F; ///< along the longer side of a pixel
 
 /// Texels of one mipmap level: Q layers of rows of RGBA.
@@ -37,16 +35,15 @@ struct Level {
     }
 };
 
-/// The coefficients, inside their frame of zeros.
-Level coefficients(const Texton& texton, Size size) {
+/// The coefficients, the first one at (start, start), zeros around them.
+Level coefficients(const Texton& texton, Size size, int start) {
     Level level(size, texton.kernels.size());
-    const int frame = texton.frame();
     for (std::size_t q = 0; q < level.layers; ++q) {
         const Image& kernel = texton.kernels[q];
         for (int y = 0; y < kernel.height(); ++y) {
             for (int x = 0; x < kernel.width(); ++x) {
                 for (int c = 0; c < kernel.channels(); ++c)
-                    level.texel(q, x + frame, y + frame)[c] = kernel.at(x, y, c);
+                    level.texel(q, x + start, y + start)[c] = kernel.at(x, y, c);
             }
         }
     }
@@ -56,7 +53,7 @@ Level coefficients(const Texton& texton, Size size) {
 /// Samples of the kernels at density texels per exemplar pixel, for orders whose kernels are
 /// smoother than what the hardware interpolates.
 Level samples(const Texton& texton, Size size, int density) {
-    const Level grid = coefficients(texton, texton.footprint());
+    const Level grid = coefficients(texton, texton.footprint(), texton.frame());
     // Along x, then along y, each by the weights of the B-spline at the texels' centres.
     const auto resampled = [&](Level from, Size to, bool alongX) {
         Level out(to, from.layers);
@@ -102,6 +99,11 @@ Level halved(Level& from) {
     return to;
 }
 
+/// Of a square pixel.
+int fetchesOneScale(Filter filter, double width) {
+    return filter == Filter::Anisotropic && width > 1.0 ? 4 : 1;
+}
+
 int powerOfTwo(int length) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(length)));
 }
@@ -132,11 +134,17 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
                          std::to_string(context.maxTextureLayers()) + " kernels, not " +
                          std::to_string(texton.kernelCount())};
     const Size footprint = texton.footprint();
-    const int density = filtered && texton.interpolationOrder > 1 ? 2 : 1;
+    // Smooth kernels need more samples than coefficients, as far as memory allows.
+    const int smooth = std::max(footprint.width, footprint.height) <= 128 ? 4 : 2;
+    const int density = filtered && texton.interpolationOrder > 1 ? smooth : 1;
+    // What has to be held: with mipmaps, the frame comes from the texture's border. A support of a
+    // power of two then fills the texels of all levels.
+    const int start = filtered && density == 1 ? texton.frame() : 0;
+    const Size extent{footprint.width - 2 * start, footprint.height - 2 * start};
     // Powers of two: then a texel of a mipmap covers four of the level below exactly.
-    const Size size = filtered ? Size{powerOfTwo(footprint.width * density),
-                                      powerOfTwo(footprint.height * density)}
-                               : footprint;
+    const Size size =
+        filtered ? Size{powerOfTwo(extent.width * density), powerOfTwo(extent.height * density)}
+                 : footprint;
     if (std::max(size.width, size.height) > context.maxTextureSide())
         return Error{ErrorCode::TooLarge,
                      "this graphics driver takes textures of at most " +
@@ -148,11 +156,14 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
     result.m_order = texton.interpolationOrder;
     result.m_density = density;
     result.m_footprint = {footprint.width, footprint.height};
+    result.m_start = static_cast<float>(start);
+    result.m_extent = {extent.width, extent.height};
     result.m_side = glm::vec2(size.width, size.height) / static_cast<float>(density);
     result.m_kernels = GlHandle::make(context, GlHandle::Kind::Texture);
     glBindTexture(GL_TEXTURE_2D_ARRAY, result.m_kernels.id());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    Level level = density == 1 ? coefficients(texton, size) : samples(texton, size, density);
+    Level level = density == 1 ? coefficients(texton, size, texton.frame() - start)
+                               : samples(texton, size, density);
     upload(0, level);
     int last = 0;
     while (filtered && (level.size.width > 1 || level.size.height > 1)) {
@@ -207,15 +218,51 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
     return result;
 }
 
-ShaderDefines GpuTexton::defines(const GlContext& context, Filter filter, bool oneScale) const {
+ShaderDefines GpuTexton::defines(const GlContext& context, Filter filter) const {
     if (!m_filtered)
         return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}};
     const bool hardware = filter == Filter::Hardware && context.maxAnisotropy() > 1.0F;
-    return {{"TXN_FILTER",
-             oneScale   ? "2"
-             : hardware ? "1"
-                        : "3"},
+    return {{"TXN_FILTER", hardware ? "1" : "3"},
             {"TXN_FADE_MINOR", std::to_string(FilterFade::kMinorOctaves)}};
+}
+
+ShaderDefines GpuTexton::definesOneScale(Filter filter, double pixelSide) const {
+    if (!m_filtered)
+        return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}};
+    return {{"TXN_FILTER", "2"},
+            {"TXN_FETCHES", fetchesOneScale(filter, filterWidth(pixelSide)) == 4 ? "4" : "1"},
+            {"TXN_FADE_MINOR", std::to_string(FilterFade::kMinorOctaves)}};
+}
+
+double GpuTexton::filterWidth(double pixelSide) const {
+    return std::min<double>(pixelSide, std::max(m_footprint.x, m_footprint.y));
+}
+
+double GpuTexton::levelOneScale(Filter filter, double pixelSide) const {
+    const double width = filterWidth(pixelSide);
+    if (width <= 1.0)
+        return 0.0;
+    const double share = fetchesOneScale(filter, width) == 4 ? 0.5 : 1.0;
+    return std::max(0.0, std::log2(share * width * m_density * kMipmapShare));
+}
+
+GpuTexton::Reach GpuTexton::reachOneScale(Filter filter, double pixelSide) const {
+    if (!m_filtered)
+        return {};
+    // As in filter.glsl.
+    const glm::dvec2 before(kMipmapShare * filterWidth(pixelSide));
+    const double texel = std::exp2(std::ceil(levelOneScale(filter, pixelSide))) / m_density;
+    const glm::dvec2 end = double{m_start} + glm::ceil(glm::dvec2(m_extent) / texel) * texel;
+    return {before, before + glm::max(end - glm::dvec2(m_footprint), 0.0)};
+}
+
+void GpuTexton::setMinFilter(bool mipmaps) const {
+    // Where the first level is all that is needed, not having to look for others saves an eighth
+    // of the time on Mesa's software renderer.
+    const GLint plain = m_order > 0 ? GL_LINEAR : GL_NEAREST;
+    glTexParameteri(GL_TEXTURE_2D_ARRAY,
+                    GL_TEXTURE_MIN_FILTER,
+                    mipmaps ? GL_LINEAR_MIPMAP_LINEAR : plain);
 }
 
 void GpuTexton::apply(ShaderProgram& program, const GlContext& context, Filter filter) const {
@@ -231,7 +278,10 @@ void GpuTexton::apply(ShaderProgram& program, const GlContext& context, Filter f
     // asked for, unless this is 1.
     if (context.maxAnisotropy() > 1.0F)
         glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT, hardware);
+    setMinFilter(true);
     program.set("txnKernelSide", m_side);
+    program.set("txnStart", m_start);
+    program.set("txnExtent", m_extent);
     program.set("txnAnisotropy", filter == Filter::Anisotropic ? kMostFetches : hardware);
     program.set("txnReach", std::max(m_footprint.x, m_footprint.y));
     program.set("txnDensity", static_cast<float>(m_density));
@@ -248,15 +298,15 @@ void GpuTexton::applyOneScale(ShaderProgram& program,
                               const glm::dvec2& right,
                               const glm::dvec2& down) const {
     apply(program, context, filter == Filter::None ? Filter::None : Filter::Mipmap);
-    const double reach = std::max(m_footprint.x, m_footprint.y);
+    if (!m_filtered)
+        return;
     const double side = glm::length(right);
-    const double width = std::min(side, reach);
-    const bool four = filter == Filter::Anisotropic && width > 1.0;
-    const double texels = (four ? 0.5 : 1.0) * width * m_density * kMipmapShare;
-    program.set("txnLevel", static_cast<float>(std::max(0.0, std::log2(texels))));
-    const double quarter = four ? 0.25 * width / side : 0.0;
-    program.set("txnQuarterRight", glm::vec2(quarter * right));
-    program.set("txnQuarterDown", glm::vec2(quarter * down));
+    const double width = filterWidth(side);
+    const double level = levelOneScale(filter, side);
+    setMinFilter(level > 0.0);
+    program.set("txnLevel", static_cast<float>(level));
+    program.set("txnQuarterRight", glm::vec2(0.25 * width / side * right));
+    program.set("txnQuarterDown", glm::vec2(0.25 * width / side * down));
 }
 
 void GpuTexton::unbind() {

@@ -17,6 +17,10 @@ class ShaderProgram;
 /// kernels with all mipmaps). One channel is shown as grey. Move-only.
 class GpuTexton {
   public:
+    /// A texel of a mipmap and the interpolation between texels blur more than a pixel of that size
+    /// would: with texels of this share of it, noise keeps its energy to a few per cent.
+    static constexpr double kMipmapShare = 0.75;
+
     GpuTexton() = default;
 
     /// texton: 1 to 4 channels. Errors: Unsupported for more; TooLarge for what the driver cannot
@@ -24,13 +28,22 @@ class GpuTexton {
     [[nodiscard]] static Result<GpuTexton>
     create(const GlContext& context, const Texton& texton, bool filtered);
 
-    /// What the shaders have to be compiled with. oneScale: all pixels of the picture are equally
-    /// large on the plane, which is sooner drawn.
-    ShaderDefines defines(const GlContext& context, Filter filter, bool oneScale) const;
+    /// What shaders have to be compiled with.
+    ShaderDefines defines(const GlContext& context, Filter filter) const;
     /// Binds the textures (units 0 and 1) and sets the uniforms of kernel.glsl and filter.glsl.
     void apply(ShaderProgram& program, const GlContext& context, Filter filter) const;
-    /// The same for shaders of one scale. right, down: from a pixel to the next ones, in exemplar
-    /// pixels, equally long and at right angles.
+
+    /// The same where all pixels of the picture are equally large on the plane, squares of the
+    /// given side in exemplar pixels: sooner drawn.
+    ShaderDefines definesOneScale(Filter filter, double pixelSide) const;
+    /// How far outside its footprint a filtered kernel reaches, in exemplar pixels: to the left and
+    /// up, to the right and down.
+    struct Reach {
+        glm::dvec2 before{0.0};
+        glm::dvec2 after{0.0};
+    };
+    Reach reachOneScale(Filter filter, double pixelSide) const;
+    /// right, down: from a pixel to the next ones.
     void applyOneScale(ShaderProgram& program,
                        const GlContext& context,
                        Filter filter,
@@ -40,11 +53,18 @@ class GpuTexton {
     static void unbind();
 
   private:
+    void setMinFilter(bool mipmaps) const;
+    /// What a pixel is filtered to: one footprint at most.
+    double filterWidth(double pixelSide) const;
+    double levelOneScale(Filter filter, double pixelSide) const;
+
     bool m_filtered = false;
     int m_order = 1;
     int m_density = 1; ///< texels per exemplar pixel
     glm::vec2 m_footprint{0.0F};
-    glm::vec2 m_side{0.0F}; ///< what the texture spans, in exemplar pixels
+    float m_start = 0.0F;     ///< where in the footprint the texture begins
+    glm::vec2 m_extent{0.0F}; ///< what it holds, in exemplar pixels
+    glm::vec2 m_side{0.0F};   ///< what the texture spans, in exemplar pixels
     GlHandle m_kernels;
     GlHandle m_fades;
 };

@@ -89,7 +89,8 @@ Result<void> MeshPass::draw(const NoiseSource& source,
         return ok.error();
     smooth = smooth && cover(context, mesh, toPicture);
 
-    ShaderDefines defines = source.gpu.defines(context, source.style.filter, false);
+    ShaderDefines defines = source.gpu.defines(context, source.style.filter);
+    addNoiseDefines(defines, source.style.noise);
     for (auto& define : mappingDefines(surface))
         defines.push_back(std::move(define));
     defines.emplace_back("TXN_SMOOTH", smooth ? "1" : "0");

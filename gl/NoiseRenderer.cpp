@@ -6,7 +6,7 @@
 #include "gl/FramebufferScope.h"
 #include "gl/GlContext.h"
 #include "gl/MeshPass.h"
-#include "gl/SplatPass.h"
+#include "gl/TilePass.h"
 
 #include <cmath>
 #include <epoxy/gl.h>
@@ -33,7 +33,7 @@ struct NoiseRenderer::Card {
     std::optional<GpuMesh> gpuMesh;
     OffscreenTarget sample;
     PlanePass plane;
-    SplatPass splats;
+    TilePass tiles;
     MeshPass meshes;
     AveragePass average;
 
@@ -149,10 +149,10 @@ Result<void> NoiseRenderer::Card::drawOnce(const NoiseSource& source,
     const Size size = target.size();
     if (const auto* above = std::get_if<PlaneView>(&view)) {
         const PlaneMethod method = source.style.planeMethod;
-        const bool asSplats = method == PlaneMethod::Splats ||
-                              (method == PlaneMethod::Automatic && source.context.isSoftware());
-        if (asSplats && SplatPass::suits(*above, source.texton))
-            return splats.draw(source, *above, size, shift);
+        const bool inTiles = method == PlaneMethod::Tiles ||
+                             (method == PlaneMethod::Automatic && source.context.isSoftware());
+        if (inTiles && TilePass::suits(*above, source.texton))
+            return tiles.draw(source, *above, size, shift);
         return plane.draw(source, *above, size, shift);
     }
     if (const auto* ground = std::get_if<GroundView>(&view))

@@ -14,10 +14,9 @@ namespace txn {
 enum class Filter { None, Mipmap, Anisotropic, Hardware };
 
 /// How the plane seen from above is drawn; the picture is the same. PerPixel: every pixel looks for
-/// the impulses around it. Splats: every impulse is drawn onto the pixels around it. Automatic:
-/// splats where the processor draws and they are not too small, for there they take a quarter of
-/// the time.
-enum class PlaneMethod { Automatic, PerPixel, Splats };
+/// the impulses around it. Tiles: the processor lists the impulses of each small tile first.
+/// Automatic: tiles where the processor draws anyway and footprints are not too small.
+enum class PlaneMethod { Automatic, PerPixel, Tiles };
 
 /// Which noise is drawn and how. A regular value.
 struct NoiseStyle {

@@ -14,7 +14,6 @@ void setCommon(ShaderProgram& program,
                const NoiseParams& params,
                const Normalization& normalization) {
     const ChannelScale scale = channelScale(normalization);
-    program.set("txnProcess", static_cast<int>(params.process));
     program.set("txnSeed", params.seed.value);
     program.set("txnKernelCount", texton.kernelCount());
     program.set("txnGain", scale.gain);
@@ -34,6 +33,10 @@ ChannelScale channelScale(const Normalization& normalization) {
         scale.offset[i] = static_cast<float>(normalization.offset[static_cast<std::size_t>(c)]);
     }
     return scale;
+}
+
+void addNoiseDefines(ShaderDefines& defines, const NoiseParams& params) {
+    defines.emplace_back("TXN_PROCESS", std::to_string(static_cast<int>(params.process)));
 }
 
 void setNoiseUniforms(ShaderProgram& program, const Texton& texton, const NoiseParams& params) {

@@ -3,6 +3,7 @@
 
 #include "core/noise/NoiseParams.h"
 #include "core/texton/Texton.h"
+#include "gl/ShaderLibrary.h"
 
 #include <glm/vec4.hpp>
 
@@ -19,6 +20,9 @@ struct ChannelScale {
     glm::vec4 offset{0.0F, 0.0F, 0.0F, 1.0F};
 };
 [[nodiscard]] ChannelScale channelScale(const Normalization& normalization);
+
+/// Adds what texton_noise.glsl and surface_noise.glsl have to be compiled with.
+void addNoiseDefines(ShaderDefines& defines, const NoiseParams& params);
 
 /// Sets the uniforms of texton_noise.glsl, save those of the kernels.
 void setNoiseUniforms(ShaderProgram& program, const Texton& texton, const NoiseParams& params);

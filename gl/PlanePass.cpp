@@ -39,8 +39,9 @@ void PlanePass::fill(const GlContext& context) {
 
 Result<void>
 PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift) {
-    auto program =
-        m_above.get(source.context, source.gpu.defines(source.context, source.style.filter, true));
+    ShaderDefines defines = source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom);
+    addNoiseDefines(defines, source.style.noise);
+    auto program = m_above.get(source.context, defines);
     if (!program)
         return program.error();
     ShaderProgram& shader = **program;
@@ -71,8 +72,9 @@ PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm
 
 Result<void>
 PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, glm::dvec2 shift) {
-    auto program = m_ground.get(source.context,
-                                source.gpu.defines(source.context, source.style.filter, false));
+    ShaderDefines defines = source.gpu.defines(source.context, source.style.filter);
+    addNoiseDefines(defines, source.style.noise);
+    auto program = m_ground.get(source.context, defines);
     if (!program)
         return program.error();
     ShaderProgram& shader = **program;

@@ -3,12 +3,13 @@
 // What a pixel of the picture averages over. By TXN_FILTER:
 // 0: nothing, it sees a point;
 // 1: the ellipse of its own shape on the plane, by the hardware's anisotropic filter;
-// 2: the same mipmap level all over the picture;
+// 2: the same square all over the picture, by TXN_FETCHES (1 or 4) fetches from mipmaps;
 // 3: as 1, by several fetches along the ellipse's longer axis.
 struct TxnPixel {
     vec2 dx; // steps in exemplar pixels to the next pixel of the picture
     vec2 dy;
-    vec2 margin; // how far outside its footprint a filtered kernel reaches
+    vec2 before; // how far outside its footprint a filtered kernel reaches, to the left and up
+    vec2 after;  // and to the right and down
     vec4 fade;   // by what the fluctuation has to be scaled
     vec2 axis;   // of the ellipse, the longer one, as long as the pixel is there
     float level;
@@ -19,6 +20,9 @@ struct TxnPixel {
 uniform float txnAnisotropy; // longest to shortest side that is filtered; 1: mipmaps only
 uniform float txnReach;      // the longer side of the footprint
 uniform float txnDensity;    // texels per exemplar pixel
+uniform vec2 txnFootprint;   // in exemplar pixels
+uniform vec2 txnExtent;      // of what the texture of a kernel holds, from txnStart on
+uniform float txnStart;
 uniform float txnMipmapShare; // side of the texels to fetch, in sides of what they stand for
 uniform sampler3D txnFades;  // see FilterFade.h
 
@@ -55,14 +59,24 @@ TxnPixel txnPixel(vec2 dx, vec2 dy) {
     }
     pixel.dx = dx;
     pixel.dy = dy;
-    pixel.fetches = int(clamp(ceil(a / max(b, 1e-3)), 1.0, txnAnisotropy));
+    pixel.fetches = int(clamp(ceil(a / max(b, 1e-3) - 0.05), 1.0, txnAnisotropy));
     float width = max(b, a / float(pixel.fetches)); // of what a fetch averages over
-    pixel.level = log2(width * txnDensity * txnMipmapShare);
-    pixel.margin = 0.5 * abs(pixel.axis) + 0.5 * width;
+    pixel.level = width > 1.0 ? log2(width * txnDensity * txnMipmapShare) : 0.0;
+    // Texels of the coarser of two levels are at most twice as large, and reach out by half.
+#if TXN_FILTER == 1
+    pixel.before = 0.5 * abs(pixel.axis) + width;
+#else
+    pixel.before = 0.5 * (1.0 - 1.0 / float(pixel.fetches)) * abs(pixel.axis) +
+                   txnMipmapShare * width;
+#endif
+    // The last of them may end beyond the kernel.
+    float texel = exp2(ceil(max(pixel.level, 0.0))) / txnDensity;
+    vec2 end = txnStart + ceil(txnExtent / texel) * texel;
+    pixel.after = pixel.before + max(end - txnFootprint, 0.0);
     return pixel;
 }
 #else
 TxnPixel txnPixel(vec2 dx, vec2 dy) {
-    return TxnPixel(dx, dy, vec2(0.0), vec4(1.0), vec2(0.0), 0.0, 1);
+    return TxnPixel(dx, dy, vec2(0.0), vec2(0.0), vec4(1.0), vec2(0.0), 0.0, 1);
 }
 #endif

@@ -6,45 +6,55 @@
 #include "filter.glsl"
 
 uniform sampler2DArray txnKernels;
-uniform vec2 txnFootprint;  // in exemplar pixels
+#if TXN_FILTER
 uniform vec2 txnKernelSide; // what the texture spans, in exemplar pixels
+
+vec3 txnTexturePoint(int kernel, vec2 y) {
+    return vec3((y - txnStart) / txnKernelSide, float(kernel));
+}
+#endif
 
 #if TXN_FILTER == 1
 vec4 txnKernel(int kernel, vec2 y, TxnPixel pixel) {
     return textureGrad(txnKernels,
-                       vec3(y / txnKernelSide, float(kernel)),
+                       txnTexturePoint(kernel, y),
                        pixel.dx / txnKernelSide,
                        pixel.dy / txnKernelSide);
 }
 #elif TXN_FILTER == 2
 uniform float txnLevel;
-uniform vec2 txnQuarterRight; // a quarter of the step to the next pixel; zero where one fetch will do
-uniform vec2 txnQuarterDown;
 
 vec4 txnFetch(int kernel, vec2 y) {
-    return textureLod(txnKernels, vec3(y / txnKernelSide, float(kernel)), txnLevel);
+    return textureLod(txnKernels, txnTexturePoint(kernel, y), txnLevel);
 }
 
+#if TXN_FETCHES == 4
+uniform vec2 txnQuarterRight; // a quarter of the step to the next pixel
+uniform vec2 txnQuarterDown;
+
 vec4 txnKernel(int kernel, vec2 y, TxnPixel pixel) {
-    if (txnQuarterRight == vec2(0.0))
-        return txnFetch(kernel, y);
     return 0.25 * (txnFetch(kernel, y - txnQuarterRight - txnQuarterDown) +
                    txnFetch(kernel, y + txnQuarterRight - txnQuarterDown) +
                    txnFetch(kernel, y - txnQuarterRight + txnQuarterDown) +
                    txnFetch(kernel, y + txnQuarterRight + txnQuarterDown));
 }
+#else
+vec4 txnKernel(int kernel, vec2 y, TxnPixel pixel) {
+    return txnFetch(kernel, y);
+}
+#endif
 #elif TXN_FILTER == 3
 vec4 txnKernel(int kernel, vec2 y, TxnPixel pixel) {
     vec2 step = pixel.axis / float(pixel.fetches);
     vec2 at = y - 0.5 * (pixel.axis - step);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < pixel.fetches; ++i)
-        sum += textureLod(txnKernels,
-                          vec3((at + float(i) * step) / txnKernelSide, float(kernel)),
-                          pixel.level);
+        sum += textureLod(txnKernels, txnTexturePoint(kernel, at + float(i) * step), pixel.level);
     return sum / float(pixel.fetches);
 }
 #else
+uniform vec2 txnFootprint; // in exemplar pixels
+
 // Outside the footprint lie zeros, as on its border.
 vec4 txnTexel(int kernel, ivec2 n) {
     return texelFetch(txnKernels, ivec3(clamp(n, ivec2(0), ivec2(txnFootprint) - 1), kernel), 0);

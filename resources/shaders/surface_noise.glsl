@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: CC0-1.0
 
 // Texton noise on a surface without texture coordinates: section 6 of "Texton Noise". Impulses lie
-// in space; those in a cube around a point are projected onto the tangent plane there.
+// in space; those in a cube around a point are projected onto the tangent plane there. TXN_PROCESS as
+// in texton_noise.glsl.
 #include "hash.glsl"
 #include "kernel.glsl"
 
-uniform int txnProcess; // 0: stratified, 1: signed, 2: Poisson
 uniform uint txnSeed;
 uniform int txnKernelCount;
 uniform float txnSpaceCell; // side of a cell in exemplar pixels; one impulse each, or one on average
@@ -31,7 +31,7 @@ vec2 txnSlab(float from, float step, float reach) {
 vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
     TxnPixel pixel = txnPixel(dx, dy);
     // Half the box in which impulses count, in the frame's directions, in cells.
-    vec3 box = vec3(0.5 * txnFootprint + pixel.margin, 0.5 * txnCube) / txnSpaceCell;
+    vec3 box = vec3(0.5 * txnFootprint + pixel.after, 0.5 * txnCube) / txnSpaceCell;
     vec3 reach = abs(frame[0]) * box.x + abs(frame[1]) * box.y + abs(frame[2]) * box.z;
     ivec3 first = ivec3(floor(place - reach));
     ivec3 last = ivec3(floor(place + reach));
@@ -50,7 +50,7 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
             range = clamp(range, vec2(first.x), vec2(last.x + 1));
             for (int i = int(ceil(range.x - 1e-3)); i <= int(floor(range.y + 1e-3)); ++i) {
                 ivec3 hashed = cell + ivec3(i, j, k);
-                int count = txnProcess == 0 ? 1 : txnPoissonCount(txnSpaceHash(hashed, 0u).x);
+                int count = TXN_PROCESS == 0 ? 1 : txnPoissonCount(txnSpaceHash(hashed, 0u).x);
                 for (int n = 1; n <= count; ++n) {
                     uvec4 h = txnSpaceHash(hashed, uint(n));
                     vec3 from = (place - vec3(i, j, k) -
@@ -59,7 +59,7 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
                         int kernel = int((((h.w >> 15u) & 0xffffu) * uint(txnKernelCount)) >> 16u);
                         vec2 y = from.xy * txnSpaceCell + 0.5 * txnFootprint;
                         float weight = 1.0 - abs(from.z) / box.z;
-                        if (txnProcess != 2 && (h.w >> 31u) != 0u)
+                        if (TXN_PROCESS != 2 && (h.w >> 31u) != 0u)
                             weight = -weight;
                         sum += weight * txnKernel(kernel, y, pixel);
                     }

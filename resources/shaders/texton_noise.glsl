@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: CC0-1.0
 
 // Texton noise in the plane: Galerne, Leclaire, Moisan, "Texton Noise", Computer Graphics Forum
-// 2017, with stratified impulses of random sign as one of its processes.
+// 2017. TXN_PROCESS 0: stratified, one impulse in each cell, with random signs; 1: a Poisson process
+// with random signs; 2: without, as in the paper.
 #include "hash.glsl"
 #include "kernel.glsl"
 
-uniform int txnProcess; // 0: stratified, 1: signed, 2: Poisson
 uniform uint txnSeed;
 uniform int txnKernelCount;
 uniform vec2 txnCell;    // size of a cell in exemplar pixels; one impulse each, or one on average
@@ -16,34 +16,35 @@ uniform vec4 txnOffset;
 uint txnWrapped(int cell, int period) {
     if (period == 0)
         return uint(cell);
-    // The sign of % is the driver's choice for negative numbers.
-    int rest = cell - int(floor(float(cell) / float(period))) * period;
-    return uint(rest < 0 ? rest + period : rest >= period ? rest - period : rest);
+    // Of negative numbers, % is the driver's choice; ~cell is -cell - 1.
+    uint p = uint(period);
+    return cell >= 0 ? uint(cell) % p : p - 1u - uint(~cell) % p;
 }
 
 // Noise at a point given as a cell of the plane and the place in it (in cells, any number). dx, dy:
 // steps in exemplar pixels to the next pixel of the picture.
 vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
     TxnPixel pixel = txnPixel(dx, dy);
-    ivec2 first = ivec2(floor(place - (txnFootprint + pixel.margin) / txnCell));
-    ivec2 last = ivec2(floor(place + pixel.margin / txnCell));
+    ivec2 first = ivec2(floor(place - (txnFootprint + pixel.after) / txnCell));
+    ivec2 last = ivec2(floor(place + pixel.before / txnCell));
     vec4 sum = vec4(0.0);
     for (int j = first.y; j <= last.y; ++j) {
         for (int i = first.x; i <= last.x; ++i) {
             uvec2 hashed = uvec2(txnWrapped(cell.x + i, txnPeriod.x),
                                  txnWrapped(cell.y + j, txnPeriod.y));
             int count = 1;
-            if (txnProcess != 0)
-                count = txnPoissonCount(txnHash(uvec4(hashed, 0xffffffffu, txnSeed)).x);
+#if TXN_PROCESS != 0
+            count = txnPoissonCount(txnHash(uvec4(hashed, 0xffffffffu, txnSeed)).x);
+#endif
             for (int n = 0; n < count; ++n) {
                 uvec4 h = txnHash(uvec4(hashed, uint(n), txnSeed));
                 // From the top left corner of the footprint that was dropped there.
                 vec2 y = (place - vec2(i, j) - vec2(txnUnit(h.x), txnUnit(h.y))) * txnCell;
-                if (all(greaterThanEqual(y, -pixel.margin)) &&
-                    all(lessThan(y, txnFootprint + pixel.margin))) {
+                if (all(greaterThanEqual(y, -pixel.before)) &&
+                    all(lessThan(y, txnFootprint + pixel.after))) {
                     int kernel = int(((h.w >> 16u) * uint(txnKernelCount)) >> 16u);
                     vec4 value = txnKernel(kernel, y, pixel);
-                    sum += txnProcess != 2 && (h.z >> 31u) != 0u ? -value : value;
+                    sum += TXN_PROCESS != 2 && (h.z >> 31u) != 0u ? -value : value;
                 }
             }
         }

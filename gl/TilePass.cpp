@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/TilePass.h"
+
+#include "core/noise/Normalization.h"
+#include "gl/NoiseUniforms.h"
+#include "gl/PlaneMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <epoxy/gl.h>
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <numeric>
+
+namespace txn {
+namespace {
+
+constexpr int kTileSide = 8;    ///< 4 and 16 are slower (docs/BENCHMARKS.md)
+constexpr int kImpulseUnit = 2; ///< the texton has 0 and 1
+constexpr int kStartUnit = 3;
+
+/// An impulse in the list of a tile, as tiles.frag reads it.
+struct Entry {
+    float x;
+    float y;
+    float signedKernel;
+    float unused;
+};
+
+struct Lists {
+    int tilesAcross = 0;
+    std::vector<std::int32_t> starts;
+    std::vector<Entry> entries;
+};
+
+/// For every tile, the impulses whose kernels meet it.
+Lists tileLists(const ImpulseProcess& impulses,
+                const PlaneMap& map,
+                Size size,
+                glm::dvec2 footprint,
+                const GpuTexton::Reach& reach) {
+    const int across = (size.width + kTileSide - 1) / kTileSide;
+    const int down = (size.height + kTileSide - 1) / kTileSide;
+    const glm::dvec2 middle = glm::dvec2(middlePixel(size)) + 0.5;
+    const glm::dmat2 toPlane(map.right, map.down);
+    const glm::dmat2 toPicture = glm::inverse(toPlane);
+    const glm::dvec2 widened = reach.before + footprint + reach.after;
+
+    // The boxes around the turned picture on the plane, and around a turned footprint on the
+    // picture, seen from its own corner.
+    const auto box = [](const glm::dmat2& turn, glm::dvec2 extent) {
+        const glm::dvec2 a = turn[0] * extent.x;
+        const glm::dvec2 b = turn[1] * extent.y;
+        const glm::dvec2 zero(0.0);
+        return std::pair(glm::min(zero, a) + glm::min(zero, b),
+                         glm::max(zero, a) + glm::max(zero, b));
+    };
+    const glm::dvec2 corner = map.middle - toPlane * middle;
+    const auto [low, high] = box(toPlane, {size.width, size.height});
+    const auto [boxLow, boxHigh] = box(toPicture, widened);
+    const glm::dvec2 before = toPicture * reach.before;
+
+    const auto visit = [&](auto&& use) {
+        impulses.visit(corner.x + low.x - footprint.x - reach.after.x,
+                       corner.y + low.y - footprint.y - reach.after.y,
+                       corner.x + high.x + reach.before.x,
+                       corner.y + high.y + reach.before.y,
+                       [&](const Impulse& impulse) {
+                           const glm::dvec2 at =
+                               toPicture * (glm::dvec2(impulse.x, impulse.y) - map.middle) + middle;
+                           const glm::dvec2 first =
+                               glm::floor((at - before + boxLow) / double{kTileSide});
+                           const glm::dvec2 last =
+                               glm::floor((at - before + boxHigh) / double{kTileSide});
+                           const int x1 = static_cast<int>(std::min(last.x, across - 1.0));
+                           const int y1 = static_cast<int>(std::min(last.y, down - 1.0));
+                           for (int y = static_cast<int>(std::max(first.y, 0.0)); y <= y1; ++y) {
+                               for (int x = static_cast<int>(std::max(first.x, 0.0)); x <= x1; ++x)
+                                   use(x, y, at, impulse);
+                           }
+                       });
+    };
+
+    Lists lists;
+    lists.tilesAcross = across;
+    lists.starts.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(down) + 1, 0);
+    const auto list = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(across) +
+               static_cast<std::size_t>(x);
+    };
+    visit([&](int x, int y, const glm::dvec2&, const Impulse&) { ++lists.starts[list(x, y) + 1]; });
+    std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
+    lists.entries.resize(static_cast<std::size_t>(lists.starts.back()));
+    std::vector<std::int32_t> next(lists.starts.begin(), lists.starts.end() - 1);
+    visit([&](int x, int y, const glm::dvec2& at, const Impulse& impulse) {
+        const glm::dvec2 place = at - double{kTileSide} * glm::dvec2(x, y);
+        const auto kernel = static_cast<float>(impulse.kernel + 1);
+        lists.entries[static_cast<std::size_t>(next[list(x, y)]++)] = {static_cast<float>(place.x),
+                                                                       static_cast<float>(place.y),
+                                                                       impulse.sign < 0.0F ? -kernel
+                                                                                           : kernel,
+                                                                       0.0F};
+    });
+    return lists;
+}
+
+} // namespace
+
+bool TilePass::suits(const PlaneView& view, const Texton& texton) {
+    const Size footprint = texton.footprint();
+    return std::min(footprint.width, footprint.height) * view.zoom >= kSmallestFootprintPx;
+}
+
+void TilePass::fill(Table& table,
+                    const GlContext& context,
+                    unsigned format,
+                    const void* data,
+                    std::size_t bytes,
+                    int unit) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    if (!table.buffer)
+        table.buffer = GlHandle::make(context, GlHandle::Kind::Buffer);
+    glBindBuffer(GL_TEXTURE_BUFFER, table.buffer.id());
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+    if (!table.texture)
+        table.texture = GlHandle::make(context, GlHandle::Kind::Texture);
+    glBindTexture(GL_TEXTURE_BUFFER, table.texture.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, format, table.buffer.id());
+    glBindBuffer(GL_TEXTURE_BUFFER, 0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+Result<void>
+TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift) {
+    const GlContext& context = source.context;
+    PlaneMap map = planeMap(view, size);
+    map.middle += shift.x * map.right + shift.y * map.down;
+    const ImpulseProcess impulses(source.style.noise,
+                                  source.texton.footprint(),
+                                  source.texton.kernelCount());
+    const Size footprint = source.texton.footprint();
+    Lists lists = tileLists(impulses,
+                            map,
+                            size,
+                            {footprint.width, footprint.height},
+                            source.gpu.reachOneScale(source.style.filter, 1.0 / view.zoom));
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (std::max(lists.entries.size(), lists.starts.size()) > static_cast<std::size_t>(most))
+        return Error{ErrorCode::TooLarge, "too many impulses are in view for this graphics driver"};
+    if (lists.entries.empty())
+        lists.entries.emplace_back(); // a buffer may not be empty
+
+    auto program =
+        m_shaders.get(context, source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom));
+    if (!program)
+        return program.error();
+    ShaderProgram& shader = **program;
+    shader.use();
+    source.gpu.applyOneScale(shader, context, source.style.filter, map.right, map.down);
+    const ChannelScale scale = channelScale(normalization(source.texton, impulses));
+    shader.set("txnGain", scale.gain);
+    shader.set("txnOffset", scale.offset);
+    shader.set("pictureToPlane", glm::mat2(glm::dmat2(map.right, map.down)));
+    shader.set("height", size.height);
+    shader.set("tileSide", kTileSide);
+    shader.set("tilesAcross", lists.tilesAcross);
+    shader.set("impulses", kImpulseUnit);
+    shader.set("starts", kStartUnit);
+    fill(m_impulses,
+         context,
+         GL_RGBA32F,
+         lists.entries.data(),
+         lists.entries.size() * sizeof(Entry),
+         kImpulseUnit);
+    fill(m_starts,
+         context,
+         GL_R32I,
+         lists.starts.data(),
+         lists.starts.size() * sizeof(std::int32_t),
+         kStartUnit);
+
+    if (!m_vertices)
+        m_vertices = GlHandle::make(context, GlHandle::Kind::VertexArray);
+    glBindVertexArray(m_vertices.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    for (const int unit : {kImpulseUnit, kStartUnit}) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_BUFFER, 0);
+    }
+    glActiveTexture(GL_TEXTURE0);
+    return {};
+}
+
+} // namespace txn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: CC0-1.0
+// The plane seen from above, each tile of the picture with a list of its impulses.
+#include "kernel.glsl"
+
+uniform samplerBuffer impulses; // from the tile's corner to the footprint's, in pixels of the
+                                // picture, y down; kernel + 1, negative with a negative sign
+uniform isamplerBuffer starts;  // of the tiles' lists, and the end of the last
+uniform int tileSide;
+uniform int tilesAcross;
+uniform int height; // of the picture
+uniform mat2 pictureToPlane;
+uniform vec4 txnGain;
+uniform vec4 txnOffset;
+
+out vec4 color;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.x, height - 1 - int(gl_FragCoord.y));
+    ivec2 tile = pixel / tileSide;
+    vec2 place = vec2(pixel - tile * tileSide) + 0.5;
+    int list = tile.y * tilesAcross + tile.x;
+    int end = texelFetch(starts, list + 1).x;
+    TxnPixel shape; // all pixels are of one scale
+    vec4 sum = vec4(0.0);
+    for (int i = texelFetch(starts, list).x; i < end; ++i) {
+        vec4 impulse = texelFetch(impulses, i);
+        vec2 y = pictureToPlane * (place - impulse.xy);
+        sum += sign(impulse.z) * txnKernel(int(abs(impulse.z)) - 1, y, shape);
+    }
+    color = txnOffset + txnGain * sum;
+}
