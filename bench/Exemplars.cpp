@@ -8,10 +8,16 @@
 
 namespace txn::bench {
 
+std::optional<Exemplar> photograph(const char* fileName) {
+    auto loaded = loadImage(std::filesystem::path(TXN_SHARED_EXEMPLARS) / fileName);
+    if (!loaded)
+        return std::nullopt;
+    return *makeExemplar(std::move(loaded->image), fileName);
+}
+
 Exemplar photographOrSample(const char* fileName, Size size) {
-    const std::filesystem::path path = std::filesystem::path(TXN_SHARED_EXEMPLARS) / fileName;
-    if (auto loaded = loadImage(path))
-        return *makeExemplar(std::move(loaded->image), fileName);
+    if (auto exemplar = photograph(fileName))
+        return std::move(*exemplar);
     std::fprintf(stderr, "%s is not here: a generated material takes its place\n", fileName);
     return *makeExemplar(*makeSample("rust", size, Seed{1}), "rust");
 }

@@ -3,7 +3,12 @@
 
 #include "core/gaussian/Exemplar.h"
 
+#include <optional>
+
 namespace txn::bench {
+
+/// The photograph of that name, if it is at hand.
+std::optional<Exemplar> photograph(const char* fileName);
 
 /// The photograph of that name when it is at hand, otherwise a generated material of the same size,
 /// after saying so on standard error.

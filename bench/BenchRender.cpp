@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawing with OpenGL: the paper's method against ours at an MNI that is no further from Gaussian.
+#include "bench/BenchRender.h"
+
+#include "bench/Fidelity.h"
+#include "bench/PaperNoise.h"
+#include "core/gaussian/WhiteNoise.h"
+#include "core/mesh/BuiltinMeshes.h"
+#include "gl/NoiseRenderer.h"
+
+#include <array>
+#include <benchmark/benchmark.h>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace txn::bench {
+namespace {
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+/// What all rows share.
+struct Session {
+    const Result<HeadlessContext>& context;
+    FidelityTable fidelities;
+    std::map<std::string, double> paperSeconds; ///< per frame, by "view/support:S/WxH"
+};
+
+enum class Scene { Plane, Perspective, Surface };
+constexpr std::array kScenes{Scene::Plane, Scene::Perspective, Scene::Surface};
+
+/// One row but for its method.
+struct Frame {
+    Scene scene = Scene::Plane;
+    int support = 64;
+    Size size;
+
+    std::string name() const {
+        constexpr std::array kNames{"plane", "perspective", "surface"};
+        return std::string(kNames.at(static_cast<std::size_t>(scene))) +
+               "/support:" + std::to_string(support) + '/' + std::to_string(size.width) + 'x' +
+               std::to_string(size.height);
+    }
+};
+
+std::vector<Frame> frames(Scene scene) {
+    std::vector<Size> sizes{{512, 512}, {1024, 1024}, {1920, 1080}};
+    if (scene == Scene::Plane)
+        sizes.push_back({3840, 2160});
+    std::vector<Frame> result;
+    for (const int support : {64, 256}) {
+        for (const Size size : sizes)
+            result.push_back({scene, support, size});
+    }
+    return result;
+}
+
+View viewOf(Scene scene) {
+    if (scene == Scene::Plane)
+        return PlaneView{};
+    if (scene == Scene::Perspective) {
+        GroundView ground;
+        ground.camera.pitch = 0.26;
+        return ground;
+    }
+    return MeshView{};
+}
+
+/// Times do not depend on what the kernel shows.
+Texton randomTexton(int side) {
+    Texton texton;
+    texton.support = Support::rectangle({side, side});
+    texton.mean = {0.5, 0.4, 0.3};
+    texton.kernels = {whiteNoise({side, side}, 3, Seed{1})};
+    return texton;
+}
+
+using Draw = std::function<Result<void>(const OffscreenTarget&)>;
+
+/// Times frames; the seconds that one took, or nothing where drawing fails.
+std::optional<double>
+timeFrames(benchmark::State& state, const HeadlessContext& context, Size size, const Draw& draw) {
+    const auto target = OffscreenTarget::create(context.gl(), size);
+    if (!target) {
+        state.SkipWithError(target.error().message.c_str());
+        return std::nullopt;
+    }
+    if (const auto drawn = draw(*target); !drawn) {
+        state.SkipWithError(drawn.error().message.c_str());
+        return std::nullopt;
+    }
+    context.finish();
+    const double start = seconds();
+    for ([[maybe_unused]] auto _ : state) {
+        benchmark::DoNotOptimize(draw(*target));
+        context.finish();
+    }
+    const double perFrame = (seconds() - start) / static_cast<double>(state.iterations());
+    state.counters["megapixels_per_s"] = static_cast<double>(size.area()) * 1e-6 / perFrame;
+    return perFrame;
+}
+
+/// The authors' method; their figures for it are the plane's.
+std::optional<double>
+timePaper(benchmark::State& state, const HeadlessContext& context, const Frame& frame) {
+    const Texton texton = randomTexton(frame.support);
+    auto noise = PaperNoise::create(context.gl(), texton, Seed{1});
+    auto checked = noise ? noise->check(context.gl(), texton) : Result<void>(noise.error());
+    if (!checked) {
+        state.SkipWithError(checked.error().message.c_str());
+        return std::nullopt;
+    }
+    state.counters["mni"] = PaperNoise::kMeanImpacts;
+    return timeFrames(state, context, frame.size, [&](const OffscreenTarget& target) {
+        noise->draw(target);
+        return Result<void>();
+    });
+}
+
+std::optional<double> timeOurs(benchmark::State& state,
+                               const HeadlessContext& context,
+                               const Frame& frame,
+                               const NoiseStyle& style) {
+    NoiseRenderer renderer;
+    renderer.setTexton(std::make_shared<const Texton>(randomTexton(frame.support)));
+    renderer.setMesh(std::make_shared<const TriangleMesh>(torusMesh()));
+    const View view = viewOf(frame.scene);
+    state.counters["mni"] = style.noise.meanImpacts;
+    return timeFrames(state, context, frame.size, [&](const OffscreenTarget& target) {
+        return renderer.draw(context.gl(), view, style, target);
+    });
+}
+
+/// In space impacts count for less: twice as many make up for it ([TN17] section 9).
+double meanImpactsFor(Scene scene, double ofPlane) {
+    return scene == Scene::Surface ? 2.0 * ofPlane : ofPlane;
+}
+
+NoiseStyle paperStyle(Scene scene) {
+    NoiseStyle style;
+    style.noise.process = NoiseProcess::Poisson;
+    style.noise.meanImpacts = meanImpactsFor(scene, PaperNoise::kMeanImpacts);
+    return style;
+}
+
+void addRow(const std::string& name, const std::function<void(benchmark::State&)>& row) {
+    benchmark::RegisterBenchmark(name.c_str(), row)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+/// Calls row(state, context) where there is one.
+template <class Row>
+auto withContext(const std::shared_ptr<Session>& session, Row row) {
+    return [session, row](benchmark::State& state) {
+        if (session->context)
+            row(state, *session->context);
+        else
+            state.SkipWithError(session->context.error().message.c_str());
+    };
+}
+
+/// plane: the paper's own shader. Elsewhere: our shaders with the paper's process.
+void addPaper(const std::shared_ptr<Session>& session, const Frame& frame) {
+    const bool ownShader = frame.scene == Scene::Plane;
+    addRow((ownShader ? "paper/" : "paper_process/") + frame.name(),
+           withContext(session, [=](benchmark::State& state, const HeadlessContext& context) {
+               const auto time = ownShader
+                                     ? timePaper(state, context, frame)
+                                     : timeOurs(state, context, frame, paperStyle(frame.scene));
+               if (time)
+                   session->paperSeconds[frame.name()] = *time;
+           }));
+}
+
+void addOurs(const std::shared_ptr<Session>& session,
+             const std::string& prefix,
+             const Frame& frame,
+             PlaneMethod method) {
+    addRow(prefix + frame.name(),
+           withContext(session, [=](benchmark::State& state, const HeadlessContext& context) {
+               NoiseStyle style;
+               style.planeMethod = method;
+               style.noise.meanImpacts =
+                   meanImpactsFor(frame.scene, session->fidelities.meanImpacts());
+               const auto time = timeOurs(state, context, frame, style);
+               const auto paper = session->paperSeconds.find(frame.name());
+               if (time && paper != session->paperSeconds.end())
+                   state.counters["speedup"] = paper->second / *time;
+           }));
+}
+
+void addFidelity(const std::shared_ptr<Session>& session, const std::string& name) {
+    benchmark::RegisterBenchmark(("fidelity/" + name).c_str(),
+                                 [session, name](benchmark::State& state) {
+                                     for ([[maybe_unused]] auto _ : state)
+                                         benchmark::DoNotOptimize(session->fidelities.of(name));
+                                     const Fidelity& found = session->fidelities.of(name);
+                                     state.counters["kurtosis_limit"] = found.limit.kurtosis;
+                                     state.counters["kurtosis_paper"] = found.paper.kurtosis;
+                                     state.counters["kurtosis_ours"] = found.ours.kurtosis;
+                                     state.counters["spread_limit"] = found.limit.spread;
+                                     state.counters["spread_paper"] = found.paper.spread;
+                                     state.counters["spread_ours"] = found.ours.spread;
+                                     state.counters["mni_equal"] = found.meanImpacts;
+                                 })
+        ->Iterations(1)
+        ->Unit(benchmark::kSecond)
+        ->UseRealTime();
+}
+
+} // namespace
+
+void registerRenderBenchmarks(const Result<HeadlessContext>& context) {
+    const auto session = std::make_shared<Session>(Session{context, {}, {}});
+    for (const std::string& name : session->fidelities.names())
+        addFidelity(session, name);
+    // The paper's rows of a kind come first: the others are compared with them.
+    for (const Scene scene : kScenes) {
+        for (const Frame& frame : frames(scene))
+            addPaper(session, frame);
+        for (const Frame& frame : frames(scene))
+            addOurs(session, "ours/", frame, PlaneMethod::Automatic);
+    }
+    for (const Frame& frame : frames(Scene::Plane))
+        addOurs(session, "ours_per_pixel/", frame, PlaneMethod::PerPixel);
+}
+
+} // namespace txn::bench
