@@ -107,7 +107,7 @@ Result<void> MeshPass::draw(const NoiseSource& source,
     shader.set("lighting", view.lighting ? 1 : 0);
     shader.set("encoded", source.texton.transfer == Transfer::Encoded ? 1 : 0);
     shader.set("toLight", towardsLight(view.camera));
-    shader.set("background", glm::vec4(view.background, 1.0F));
+    shader.set("background", pictureColor(view.background, source.texton.transfer));
     int unit = kFirstUnit;
     for (const char* name : {"seenPoint", "seenNormal", "seenRight", "seenSteps", "coverage"})
         shader.set(name, unit++);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/NoiseUniforms.h"
 
+#include "core/image/ColorTransfer.h"
 #include "core/noise/SurfaceNoise.h"
 #include "gl/ShaderProgram.h"
 
@@ -33,6 +34,15 @@ ChannelScale channelScale(const Normalization& normalization) {
         scale.offset[i] = static_cast<float>(normalization.offset[static_cast<std::size_t>(c)]);
     }
     return scale;
+}
+
+glm::vec4 pictureColor(const glm::vec3& encoded, Transfer transfer) {
+    if (transfer == Transfer::Encoded)
+        return {encoded, 1.0F};
+    return {linearFromEncoded(encoded.r),
+            linearFromEncoded(encoded.g),
+            linearFromEncoded(encoded.b),
+            1.0F};
 }
 
 void addNoiseDefines(ShaderDefines& defines, const NoiseParams& params) {

@@ -5,6 +5,7 @@
 #include "core/texton/Texton.h"
 #include "gl/ShaderLibrary.h"
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 namespace txn {
@@ -20,6 +21,9 @@ struct ChannelScale {
     glm::vec4 offset{0.0F, 0.0F, 0.0F, 1.0F};
 };
 [[nodiscard]] ChannelScale channelScale(const Normalization& normalization);
+
+/// An encoded colour as pictures of the given transfer hold it, opaque.
+[[nodiscard]] glm::vec4 pictureColor(const glm::vec3& encoded, Transfer transfer);
 
 /// Adds what texton_noise.glsl and surface_noise.glsl have to be compiled with.
 void addNoiseDefines(ShaderDefines& defines, const NoiseParams& params);

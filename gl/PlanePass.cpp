@@ -91,7 +91,7 @@ PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, gl
     shader.set("rayMiddle", glm::vec3(map.middle + shift.x * map.right + shift.y * map.down));
     shader.set("rayRight", glm::vec3(map.right));
     shader.set("rayDown", glm::vec3(map.down));
-    shader.set("background", glm::vec4(view.background, 1.0F));
+    shader.set("background", pictureColor(view.background, source.texton.transfer));
     fill(source.context);
     return {};
 }

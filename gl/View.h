@@ -38,7 +38,7 @@ struct GroundView {
     double centerY = 0.0;
     double zoom = 1.0; ///< pixels of the picture per exemplar pixel there, at distance 1
     OrbitCamera camera{0.0, 0.3};
-    glm::vec3 background{0.5F}; ///< above the horizon
+    glm::vec3 background{0.5F}; ///< above the horizon, encoded (sRGB)
 
     bool operator==(const GroundView&) const = default;
 };
@@ -53,7 +53,7 @@ struct MeshView {
     double pixelsPerUnit = 256.0; ///< exemplar pixels per unit of length of the mesh
     OrbitCamera camera;
     bool lighting = true;
-    glm::vec3 background{0.18F};
+    glm::vec3 background{0.18F}; ///< encoded (sRGB)
 
     bool operator==(const MeshView&) const = default;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/ColorTransfer.h"
 #include "core/mesh/BuiltinMeshes.h"
 #include "core/mesh/TangentField.h"
 #include "core/noise/SpotNoise.h"
@@ -421,11 +422,13 @@ class TestGlSurface : public QObject {
                 QVERIFY(allFinite(lit->samples()));
                 if (transfer == Transfer::Linear)
                     linearShade = Image(size, 1);
+                const float background =
+                    transfer == Transfer::Linear ? linearFromEncoded(kBackground) : kBackground;
                 int count = 0;
                 for (int y = 0; y < size.height; ++y) {
                     for (int x = 0; x < size.width; ++x) {
-                        if (plain->at(x, y, 0) == kBackground) {
-                            QCOMPARE(lit->at(x, y, 0), kBackground);
+                        if (plain->at(x, y, 0) == background) {
+                            QCOMPARE(lit->at(x, y, 0), background);
                             continue;
                         }
                         ++count;
@@ -477,6 +480,18 @@ class TestGlSurface : public QObject {
             }
             QVERIFY(image->at(32, 24, 0) != 0.1F);
         }
+    }
+
+    void backgroundsLookTheSameInLinearPictures() {
+        Texton texton = makeTexton({1, 1, {13, 9}, 3, 67});
+        texton.transfer = Transfer::Linear;
+        setUp(texton, m_sphere);
+        MeshView view = unlit(30.0, {0.2, 0.7, 1.0, 0.8});
+        view.background = glm::vec3(0.1F, 0.5F, 0.9F);
+        const auto image = picture(view, pointStyle(), {16, 12});
+        TXN_OK(image);
+        for (int c = 0; c < 3; ++c)
+            QCOMPARE(image->at(0, 0, c), linearFromEncoded(view.background[c]));
     }
 
     void filteredMeshesLookAlike() {
