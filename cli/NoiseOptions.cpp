@@ -15,11 +15,15 @@ NoiseParams NoiseOptions::params(const NoiseParams& fallback) const {
     return result;
 }
 
-void addNoiseOptions(CLI::App& app, NoiseOptions& options, const std::string& seedName) {
+void addNoiseOptions(CLI::App& app,
+                     NoiseOptions& options,
+                     const std::string& seedName,
+                     const std::string& hint) {
     app.add_option("--mni",
                    options.meanImpacts,
-                   "Mean number of impacts per pixel: higher is closer to Gaussian (default: 12 "
-                   "for stratified, 30 otherwise)")
+                   "Mean number of impacts per pixel: higher is closer to Gaussian (default: the "
+                   "texton's own, else 12 for stratified, 30 otherwise" +
+                       hint + ")")
         ->type_name("N")
         ->check(between(NoiseParams::kMinMeanImpacts, NoiseParams::kMaxMeanImpacts));
     app.add_option("--process",

@@ -17,7 +17,11 @@ struct NoiseOptions {
     NoiseParams params(const NoiseParams& fallback = {}) const;
 };
 
-/// The name of the seed option differs, since `sheet` has one already.
-void addNoiseOptions(CLI::App& app, NoiseOptions& options, const std::string& seedName);
+/// The name of the seed option differs, since `sheet` has one already. hint: added to what is said
+/// of the usual MNI.
+void addNoiseOptions(CLI::App& app,
+                     NoiseOptions& options,
+                     const std::string& seedName,
+                     const std::string& hint = {});
 
 } // namespace txn::cli

@@ -30,6 +30,7 @@ AveragePass::add(const GlContext& context, const OffscreenTarget& picture, float
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
     glDisable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ZERO);
     glBindTexture(GL_TEXTURE_2D, 0);
     return {};
 }

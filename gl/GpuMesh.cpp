@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/GpuMesh.h"
 
+#include "gl/GlErrors.h"
+
 #include <cassert>
 #include <cstddef>
 #include <epoxy/gl.h>
@@ -17,22 +19,25 @@ struct Vertex {
 
 } // namespace
 
-GpuMesh::GpuMesh(const GlContext& context,
-                 const TriangleMesh& mesh,
-                 const std::vector<glm::vec3>& tangents)
-    : m_vertexArray(GlHandle::make(context, GlHandle::Kind::VertexArray)),
-      m_vertices(GlHandle::make(context, GlHandle::Kind::Buffer)),
-      m_indices(GlHandle::make(context, GlHandle::Kind::Buffer)),
-      m_indexCount(static_cast<int>(mesh.triangles.size() * 3)) {
+Result<GpuMesh> GpuMesh::create(const GlContext& context,
+                                const TriangleMesh& mesh,
+                                const std::vector<glm::vec3>& tangents,
+                                const glm::vec3& center) {
     assert(tangents.size() == mesh.positions.size());
+    forgetGlErrors();
+    GpuMesh result;
+    result.m_vertexArray = GlHandle::make(context, GlHandle::Kind::VertexArray);
+    result.m_vertices = GlHandle::make(context, GlHandle::Kind::Buffer);
+    result.m_indices = GlHandle::make(context, GlHandle::Kind::Buffer);
+    result.m_indexCount = static_cast<int>(mesh.triangles.size() * 3);
     std::vector<Vertex> vertices(mesh.positions.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        vertices[i] = {mesh.positions[i],
+        vertices[i] = {mesh.positions[i] - center,
                        mesh.normals[i],
                        mesh.uvs.empty() ? glm::vec2(0.0F) : mesh.uvs[i],
                        tangents[i]};
-    glBindVertexArray(m_vertexArray.id());
-    glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
+    glBindVertexArray(result.m_vertexArray.id());
+    glBindBuffer(GL_ARRAY_BUFFER, result.m_vertices.id());
     glBufferData(GL_ARRAY_BUFFER,
                  static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
                  vertices.data(),
@@ -50,13 +55,16 @@ GpuMesh::GpuMesh(const GlContext& context,
     attribute(1, 3, offsetof(Vertex, normal));
     attribute(2, 2, offsetof(Vertex, uv));
     attribute(3, 3, offsetof(Vertex, tangent));
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id()); // kept by the vertex array
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.m_indices.id()); // kept by the vertex array
     glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                  static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(Triangle)),
                  mesh.triangles.data(),
                  GL_STATIC_DRAW);
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
+    if (glGetError() != GL_NO_ERROR)
+        return Error{ErrorCode::TooLarge, "there is not enough graphics memory for the mesh"};
+    return result;
 }
 
 void GpuMesh::draw() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/mesh/TriangleMesh.h"
 #include "gl/GlHandle.h"
 
@@ -11,10 +12,12 @@ namespace txn {
 class GpuMesh {
   public:
     GpuMesh() = default;
-    /// tangents: one per vertex.
-    GpuMesh(const GlContext& context,
-            const TriangleMesh& mesh,
-            const std::vector<glm::vec3>& tangents);
+    /// tangents: one per vertex. center: what becomes the origin, so that meshes far from it lose
+    /// nothing. Errors: TooLarge.
+    [[nodiscard]] static Result<GpuMesh> create(const GlContext& context,
+                                                const TriangleMesh& mesh,
+                                                const std::vector<glm::vec3>& tangents,
+                                                const glm::vec3& center);
 
     explicit operator bool() const { return static_cast<bool>(m_vertexArray); }
     void draw() const;

@@ -4,6 +4,7 @@
 #include "core/noise/FilterFade.h"
 #include "core/spectral/BSpline.h"
 #include "gl/GlContext.h"
+#include "gl/GlErrors.h"
 #include "gl/ShaderProgram.h"
 
 #include <algorithm>
@@ -13,10 +14,15 @@
 #include <epoxy/gl.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace txn {
 namespace {
 
+/// Pixels up to this size see points of the noise, as NoiseGrid has it at scale 1; within the ramp
+/// beyond, filtering sets in, so that nothing jumps while zooming.
+constexpr double kSharpest = 1.0;
+constexpr double kRamp = 0.4;
 constexpr float kMostFetches = 16.0F; ///< along the longer side of a pixel
 
 /// Texels of one mipmap level: Q layers of rows of RGBA.
@@ -99,11 +105,6 @@ Level halved(Level& from) {
     return to;
 }
 
-/// Of a square pixel.
-int fetchesOneScale(Filter filter, double width) {
-    return filter == Filter::Anisotropic && width > 1.0 ? 4 : 1;
-}
-
 int powerOfTwo(int length) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(length)));
 }
@@ -151,6 +152,7 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
                          std::to_string(context.maxTextureSide()) +
                          " pixels a side; please use a smaller support"};
 
+    forgetGlErrors();
     GpuTexton result;
     result.m_filtered = filtered;
     result.m_order = texton.interpolationOrder;
@@ -161,7 +163,6 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
     result.m_side = glm::vec2(size.width, size.height) / static_cast<float>(density);
     result.m_kernels = GlHandle::make(context, GlHandle::Kind::Texture);
     glBindTexture(GL_TEXTURE_2D_ARRAY, result.m_kernels.id());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     Level level = density == 1 ? coefficients(texton, size, texton.frame() - start)
                                : samples(texton, size, density);
     upload(0, level);
@@ -215,6 +216,8 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
         glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_REPEAT);
         glBindTexture(GL_TEXTURE_3D, 0);
     }
+    if (glGetError() != GL_NO_ERROR)
+        return Error{ErrorCode::TooLarge, "there is not enough graphics memory for the texton"};
     return result;
 }
 
@@ -230,28 +233,28 @@ ShaderDefines GpuTexton::definesOneScale(Filter filter, double pixelSide) const 
     if (!m_filtered)
         return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}};
     return {{"TXN_FILTER", "2"},
-            {"TXN_FETCHES", fetchesOneScale(filter, filterWidth(pixelSide)) == 4 ? "4" : "1"},
+            {"TXN_FETCHES", std::to_string(oneScale(filter, pixelSide).fetches)},
             {"TXN_FADE_MINOR", std::to_string(FilterFade::kMinorOctaves)}};
 }
 
-double GpuTexton::filterWidth(double pixelSide) const {
-    return std::min<double>(pixelSide, std::max(m_footprint.x, m_footprint.y));
-}
-
-double GpuTexton::levelOneScale(Filter filter, double pixelSide) const {
-    const double width = filterWidth(pixelSide);
-    if (width <= 1.0)
-        return 0.0;
-    const double share = fetchesOneScale(filter, width) == 4 ? 0.5 : 1.0;
-    return std::max(0.0, std::log2(share * width * m_density * kMipmapShare));
+GpuTexton::OneScale GpuTexton::oneScale(Filter filter, double pixelSide) const {
+    const double width = std::min<double>(pixelSide, std::max(m_footprint.x, m_footprint.y));
+    const double ramp = std::clamp((width - kSharpest) / kRamp, 0.0, 1.0);
+    const bool four = filter == Filter::Anisotropic && ramp > 0.0;
+    const double texels = (four ? 0.5 : 1.0) * width * m_density * kMipmapShare;
+    return {four ? 4 : 1,
+            four ? 0.25 * ramp * width / pixelSide : 0.0,
+            std::log2(std::max(1.0, 1.0 + ramp * (texels - 1.0)))};
 }
 
 GpuTexton::Reach GpuTexton::reachOneScale(Filter filter, double pixelSide) const {
     if (!m_filtered)
         return {};
-    // As in filter.glsl.
-    const glm::dvec2 before(kMipmapShare * filterWidth(pixelSide));
-    const double texel = std::exp2(std::ceil(levelOneScale(filter, pixelSide))) / m_density;
+    // Texels of the coarser of two levels reach out by half, and so do the fetches; the last of
+    // the texels may end beyond the kernel.
+    const OneScale scale = oneScale(filter, pixelSide);
+    const double texel = std::exp2(std::ceil(scale.level)) / m_density;
+    const glm::dvec2 before(0.5 * texel + std::numbers::sqrt2 * scale.spread * pixelSide);
     const glm::dvec2 end = double{m_start} + glm::ceil(glm::dvec2(m_extent) / texel) * texel;
     return {before, before + glm::max(end - glm::dvec2(m_footprint), 0.0)};
 }
@@ -286,6 +289,8 @@ void GpuTexton::apply(ShaderProgram& program, const GlContext& context, Filter f
     program.set("txnReach", std::max(m_footprint.x, m_footprint.y));
     program.set("txnDensity", static_cast<float>(m_density));
     program.set("txnMipmapShare", static_cast<float>(kMipmapShare));
+    program.set("txnSharpest", static_cast<float>(kSharpest));
+    program.set("txnRamp", static_cast<float>(kRamp));
     program.set("txnFades", 1);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_3D, m_fades.id());
@@ -301,12 +306,14 @@ void GpuTexton::applyOneScale(ShaderProgram& program,
     if (!m_filtered)
         return;
     const double side = glm::length(right);
-    const double width = filterWidth(side);
-    const double level = levelOneScale(filter, side);
-    setMinFilter(level > 0.0);
-    program.set("txnLevel", static_cast<float>(level));
-    program.set("txnQuarterRight", glm::vec2(0.25 * width / side * right));
-    program.set("txnQuarterDown", glm::vec2(0.25 * width / side * down));
+    const OneScale scale = oneScale(filter, side);
+    setMinFilter(scale.level > 0.0);
+    program.set("txnLevel", static_cast<float>(scale.level));
+    program.set("txnQuarterRight", glm::vec2(scale.spread * right));
+    program.set("txnQuarterDown", glm::vec2(scale.spread * down));
+    const Reach reach = reachOneScale(filter, side);
+    program.set("txnBefore", glm::vec2(reach.before));
+    program.set("txnAfter", glm::vec2(reach.after));
 }
 
 void GpuTexton::unbind() {

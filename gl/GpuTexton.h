@@ -54,9 +54,13 @@ class GpuTexton {
 
   private:
     void setMinFilter(bool mipmaps) const;
-    /// What a pixel is filtered to: one footprint at most.
-    double filterWidth(double pixelSide) const;
-    double levelOneScale(Filter filter, double pixelSide) const;
+    /// How square pixels of one size are filtered.
+    struct OneScale {
+        int fetches = 1;
+        double spread = 0.0; ///< of four fetches from the middle, in pixels' sides
+        double level = 0.0;
+    };
+    OneScale oneScale(Filter filter, double pixelSide) const;
 
     bool m_filtered = false;
     int m_order = 1;

@@ -12,10 +12,12 @@ namespace {
 
 constexpr double kRoom = 1.05; ///< around the object
 
-/// From the camera to the middle of the object.
-double distanceTo(const OrbitCamera& camera, const BoundingSphere& bounds) {
+/// From the camera to the middle of the object, at distance 1.
+double fittingDistance(const OrbitCamera& camera, const BoundingSphere& bounds, Size size) {
     const double radius = std::max(1e-12, static_cast<double>(bounds.radius));
-    return camera.distance * kRoom * radius / std::sin(0.5 * camera.fieldOfView);
+    // The object has to fit the shorter side of the picture.
+    const double shorter = std::min(1.0, static_cast<double>(size.width) / size.height);
+    return kRoom * radius / std::sin(std::atan(shorter * std::tan(0.5 * camera.fieldOfView)));
 }
 
 } // namespace
@@ -24,7 +26,7 @@ glm::mat4 meshToPicture(const OrbitCamera& camera,
                         const BoundingSphere& bounds,
                         Size size,
                         glm::dvec2 shift) {
-    const double distance = distanceTo(camera, bounds);
+    const double distance = camera.distance * fittingDistance(camera, bounds, size);
     const double radius = std::max(1e-12, static_cast<double>(bounds.radius));
     const glm::dvec3 toEye{std::cos(camera.pitch) * std::sin(camera.yaw),
                            std::sin(camera.pitch),
@@ -46,10 +48,9 @@ glm::mat4 meshToPicture(const OrbitCamera& camera,
     return {moved * lens * look};
 }
 
-double picturePixelsPerUnit(const OrbitCamera& camera, const BoundingSphere& bounds, int height) {
-    OrbitCamera fitting = camera;
-    fitting.distance = 1.0;
-    return 0.5 * height / std::tan(0.5 * camera.fieldOfView) / distanceTo(fitting, bounds);
+double picturePixelsPerUnit(const OrbitCamera& camera, const BoundingSphere& bounds, Size size) {
+    return 0.5 * size.height / std::tan(0.5 * camera.fieldOfView) /
+           fittingDistance(camera, bounds, size);
 }
 
 } // namespace txn

@@ -15,9 +15,8 @@ namespace txn {
 [[nodiscard]] glm::mat4
 meshToPicture(const OrbitCamera& camera, const BoundingSphere& bounds, Size size, glm::dvec2 shift);
 
-/// Pixels of a picture of the given height per unit of length at the middle of the mesh, seen from
-/// distance 1.
+/// Pixels of the picture per unit of length at the middle of the mesh, seen from distance 1.
 [[nodiscard]] double
-picturePixelsPerUnit(const OrbitCamera& camera, const BoundingSphere& bounds, int height);
+picturePixelsPerUnit(const OrbitCamera& camera, const BoundingSphere& bounds, Size size);
 
 } // namespace txn

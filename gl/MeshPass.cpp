@@ -49,11 +49,15 @@ Result<void> MeshPass::look(const GlContext& context,
 }
 
 bool MeshPass::cover(const GlContext& context, const GpuMesh& mesh, const glm::mat4& toPicture) {
+    if (m_refusedMask == m_buffer.size())
+        return false;
     if (m_mask.size() != m_buffer.size()) {
         m_mask = {};
         auto made = CoverageMask::create(context, m_buffer.size());
-        if (!made)
+        if (!made) {
+            m_refusedMask = m_buffer.size();
             return false;
+        }
         m_mask = std::move(*made);
     }
     auto program = m_cover.get(context, mappingDefines(false));
@@ -84,7 +88,9 @@ Result<void> MeshPass::draw(const NoiseSource& source,
     }
     const bool surface = view.mapping == MeshView::Mapping::Surface;
     const double scale = surface ? view.pixelsPerUnit : view.pixelsPerUnit * shape.unitsPerUv;
-    const glm::mat4 toPicture = meshToPicture(view.camera, shape.bounds, target.size(), shift);
+    // GpuMesh has moved the middle to the origin.
+    const BoundingSphere bounds{glm::vec3(0.0F), shape.bounds.radius};
+    const glm::mat4 toPicture = meshToPicture(view.camera, bounds, target.size(), shift);
     if (auto ok = look(context, mesh, surface, toPicture, static_cast<float>(scale)); !ok)
         return ok.error();
     smooth = smooth && cover(context, mesh, toPicture);

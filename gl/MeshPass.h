@@ -46,6 +46,7 @@ class MeshPass {
     GlHandle m_vertices;
     MeshBuffer m_buffer;
     CoverageMask m_mask;
+    Size m_refusedMask; ///< a size for which there is none
 };
 
 } // namespace txn

@@ -3,6 +3,7 @@
 
 #include "core/mesh/TangentField.h"
 #include "gl/AveragePass.h"
+#include "gl/CleanState.h"
 #include "gl/FramebufferScope.h"
 #include "gl/GlContext.h"
 #include "gl/MeshPass.h"
@@ -53,14 +54,6 @@ struct NoiseRenderer::Card {
 
 namespace {
 
-void startFromDefaults() {
-    for (const GLenum test :
-         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_BLEND})
-        glDisable(test);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-}
-
 Error outOfRange(const std::string& what, const std::string& range) {
     return Error{ErrorCode::InvalidArgument, what + " must be " + range};
 }
@@ -87,7 +80,9 @@ Result<void> checkCamera(const OrbitCamera& camera, double lowestPitch) {
                           lowestPitch > 0.0 ? "above 0 and up to 90 degrees" : "-90 to 90 degrees");
     if (!between(camera.distance, 0.01, 100.0))
         return outOfRange("the camera's distance", "0.01 to 100");
-    if (!between(camera.fieldOfView, OrbitCamera::kMinFieldOfView, OrbitCamera::kMaxFieldOfView))
+    if (!between(camera.fieldOfView,
+                 OrbitCamera::kMinFieldOfView - 1e-9,
+                 OrbitCamera::kMaxFieldOfView + 1e-9))
         return outOfRange("the camera's field of view", "1 to 150 degrees");
     return {};
 }
@@ -119,7 +114,14 @@ void NoiseRenderer::setMesh(std::shared_ptr<const TriangleMesh> mesh) {
 
 Result<void>
 NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseStyle& style) {
-    if (!m_card || !m_card->belongsTo(context))
+    if (m_card && !m_card->belongsTo(context)) {
+        // Numbers of objects mean others here: nothing may be deleted.
+        if (!m_card->life.expired())
+            return Error{ErrorCode::InvalidArgument,
+                         "this renderer still has objects in another OpenGL context"};
+        m_card.reset();
+    }
+    if (!m_card)
         m_card = std::make_unique<Card>(context);
     if (m_card->texton != m_texton) {
         m_card->exactTexton.reset();
@@ -135,7 +137,13 @@ NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseSt
         texton = std::move(*made);
     }
     if (std::holds_alternative<MeshView>(view) && m_card->mesh != m_mesh) {
-        m_card->gpuMesh.emplace(context, *m_mesh->mesh, m_mesh->tangents);
+        m_card->gpuMesh.reset();
+        m_card->mesh.reset();
+        auto made =
+            GpuMesh::create(context, *m_mesh->mesh, m_mesh->tangents, m_mesh->shape.bounds.center);
+        if (!made)
+            return made.error();
+        m_card->gpuMesh = std::move(*made);
         m_card->mesh = m_mesh;
     }
     return {};
@@ -151,7 +159,7 @@ Result<void> NoiseRenderer::Card::drawOnce(const NoiseSource& source,
         const PlaneMethod method = source.style.planeMethod;
         const bool inTiles = method == PlaneMethod::Tiles ||
                              (method == PlaneMethod::Automatic && source.context.isSoftware());
-        if (inTiles && TilePass::suits(*above, source.texton))
+        if (inTiles && TilePass::suits(*above, source, size))
             return tiles.draw(source, *above, size, shift);
         return plane.draw(source, *above, size, shift);
     }
@@ -207,11 +215,10 @@ Result<void> NoiseRenderer::draw(const GlContext& context,
             return Error{ErrorCode::Unsupported,
                          "the mesh has no texture coordinates; please use surface noise"};
     }
-    if (auto ok = prepare(context, view, style); !ok)
-        return ok.error();
-
     const FramebufferScope restore;
     startFromDefaults();
+    if (auto ok = prepare(context, view, style); !ok)
+        return ok.error();
     const bool filtered = style.filter != Filter::None;
     const NoiseSource source{context,
                              *m_texton,

@@ -13,7 +13,8 @@ namespace txn {
 
 /// Draws texton noise: the same noise as SpotNoise and NoiseGrid, in any view. What it draws is set
 /// without a context; what that needs on the graphics card is made when it is drawn, and made again
-/// when the context is another one. Move-only; draw() and release() belong to the context's thread.
+/// once that context is gone. To move to another context while the old one lives, release() in the
+/// old one first. Move-only; draw() and release() belong to the context's thread.
 class NoiseRenderer {
   public:
     NoiseRenderer();
@@ -28,11 +29,11 @@ class NoiseRenderer {
     /// For mesh views. Computes its tangent field, which may take a moment.
     void setMesh(std::shared_ptr<const TriangleMesh> mesh);
 
-    /// Draws the view over all of target. The framebuffer, the viewport and the state that OpenGL
-    /// starts with are put back; other state of the caller may be lost (program, textures of units
-    /// 0 to 6, blending, depth test). Errors: InvalidArgument for values out of range, or without a
-    /// texton or a mesh; Unsupported where the texton or the mesh does not suit the view, or the
-    /// driver refuses a shader; TooLarge.
+    /// Draws the view over all of target. The caller's framebuffer and viewport are put back; other
+    /// state is left as OpenGL starts with it.
+    /// Errors: InvalidArgument for values out of range, without a texton or a mesh, or while
+    /// another living context holds what was drawn with; Unsupported where the texton or the mesh
+    /// does not suit the view, or the driver refuses a shader; TooLarge.
     [[nodiscard]] Result<void> draw(const GlContext& context,
                                     const View& view,
                                     const NoiseStyle& style,

@@ -8,9 +8,9 @@ namespace txn {
 /// How a picture of noise is kept from flickering where it is seen from afar, by filtering its
 /// kernels ([TN17] section 5). None: not at all; a pixel is a point of the noise, in full
 /// precision. Mipmap: the hardware's mipmaps, by the longer side of a pixel on the plane: blurred
-/// towards the horizon. Anisotropic: several fetches from mipmaps along that side, up to 16, by the
-/// shader. Hardware: the driver's own anisotropic filter, as in the paper; mipmaps where it has
-/// none.
+/// towards the horizon. Anisotropic: several fetches from mipmaps, 4 over the square pixels of a
+/// plane view, elsewhere up to 16 along the longer axis of what a pixel covers. Hardware: the
+/// driver's own anisotropic filter, as in the paper; mipmaps where it has none.
 enum class Filter { None, Mipmap, Anisotropic, Hardware };
 
 /// How the plane seen from above is drawn; the picture is the same. PerPixel: every pixel looks for

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/OffscreenTarget.h"
 
+#include "gl/CleanState.h"
 #include "gl/FramebufferScope.h"
 #include "gl/GlContext.h"
 #include "gl/GlErrors.h"
@@ -50,7 +51,7 @@ Image OffscreenTarget::read(int channels, Transfer transfer) const {
     {
         const FramebufferScope restore;
         glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
-        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        usePlainPixels();
         glReadPixels(0, 0, m_size.width, m_size.height, GL_RGBA, GL_FLOAT, pixels.data());
     }
     Image image(m_size, channels, 0.0F, transfer);

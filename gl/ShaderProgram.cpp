@@ -101,9 +101,6 @@ void ShaderProgram::set(const char* name, const glm::vec4& value) {
 void ShaderProgram::set(const char* name, const glm::mat2& value) {
     glUniformMatrix2fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
-void ShaderProgram::set(const char* name, const glm::mat3& value) {
-    glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-}
 void ShaderProgram::set(const char* name, const glm::mat4& value) {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

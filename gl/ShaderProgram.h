@@ -34,7 +34,6 @@ class ShaderProgram {
     void set(const char* name, const glm::vec3& value);
     void set(const char* name, const glm::vec4& value);
     void set(const char* name, const glm::mat2& value);
-    void set(const char* name, const glm::mat3& value);
     void set(const char* name, const glm::mat4& value);
 
   private:

@@ -15,8 +15,10 @@
 namespace txn {
 namespace {
 
-constexpr int kTileSide = 8;    ///< 4 and 16 are slower (docs/BENCHMARKS.md)
-constexpr int kImpulseUnit = 2; ///< the texton has 0 and 1
+constexpr int kTileSide = 8; ///< 4 and 16 are slower (docs/BENCHMARKS.md)
+constexpr double kSmallestFootprintPx = 12.0;
+constexpr double kMostEntries = 3e7; ///< half a gigabyte
+constexpr int kImpulseUnit = 2;      ///< the texton has 0 and 1
 constexpr int kStartUnit = 3;
 
 /// An impulse in the list of a tile, as tiles.frag reads it.
@@ -106,9 +108,20 @@ Lists tileLists(const ImpulseProcess& impulses,
 
 } // namespace
 
-bool TilePass::suits(const PlaneView& view, const Texton& texton) {
-    const Size footprint = texton.footprint();
-    return std::min(footprint.width, footprint.height) * view.zoom >= kSmallestFootprintPx;
+bool TilePass::suits(const PlaneView& view, const NoiseSource& source, Size size) {
+    const Size footprint = source.texton.footprint();
+    const double width = footprint.width * view.zoom;
+    const double height = footprint.height * view.zoom;
+    if (std::min(width, height) < kSmallestFootprintPx)
+        return false;
+    // A tile meets the footprints of a rectangle as much larger; turned, of one up to twice as
+    // large.
+    const double tiles = static_cast<double>(size.area()) / (kTileSide * kTileSide);
+    const double entries = tiles * source.style.noise.meanImpacts * 2.0 *
+                           (1.0 + 2.0 * kTileSide / width) * (1.0 + 2.0 * kTileSide / height);
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    return std::max(entries, tiles + 1.0) <= std::min(kMostEntries, static_cast<double>(most));
 }
 
 void TilePass::fill(Table& table,
@@ -144,10 +157,6 @@ TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm:
                             size,
                             {footprint.width, footprint.height},
                             source.gpu.reachOneScale(source.style.filter, 1.0 / view.zoom));
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    if (std::max(lists.entries.size(), lists.starts.size()) > static_cast<std::size_t>(most))
-        return Error{ErrorCode::TooLarge, "too many impulses are in view for this graphics driver"};
     if (lists.entries.empty())
         lists.entries.emplace_back(); // a buffer may not be empty
 

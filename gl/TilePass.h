@@ -12,11 +12,11 @@ namespace txn {
 /// processor draws, since nothing is hashed or tested per pixel. Move-only.
 class TilePass {
   public:
-    /// Below this size on the picture, impulses are too many for lists.
-    static constexpr double kSmallestFootprintPx = 12.0;
-    [[nodiscard]] static bool suits(const PlaneView& view, const Texton& texton);
+    /// Whether lists are worth their while and not too long: not for footprints that are small on
+    /// the picture, nor for very many impacts.
+    [[nodiscard]] static bool suits(const PlaneView& view, const NoiseSource& source, Size size);
 
-    /// As PlanePass::draw. Errors: TooLarge where the lists exceed what the driver takes.
+    /// As PlanePass::draw, for what suits.
     [[nodiscard]] Result<void>
     draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift);
 

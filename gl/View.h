@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <variant>
 
 namespace txn {
@@ -21,8 +22,8 @@ struct PlaneView {
 
 /// A camera that circles what it looks at. A regular value.
 struct OrbitCamera {
-    static constexpr double kMinFieldOfView = 0.02;
-    static constexpr double kMaxFieldOfView = 2.6;
+    static constexpr double kMinFieldOfView = 1.0 * std::numbers::pi / 180.0;
+    static constexpr double kMaxFieldOfView = 150.0 * std::numbers::pi / 180.0;
 
     double yaw = 0.0;         ///< in radians, counterclockwise seen from above
     double pitch = 0.5;       ///< elevation above the ground, in radians, up to pi / 2
@@ -43,7 +44,7 @@ struct GroundView {
     bool operator==(const GroundView&) const = default;
 };
 
-/// A mesh covered with noise. A regular value.
+/// A mesh covered with noise, which is counted from the middle of the mesh. A regular value.
 struct MeshView {
     /// TextureCoordinates: noise of the plane, laid over the mesh by its texture coordinates.
     /// Surface: surface noise, which needs none ([TN17] section 6).

@@ -53,8 +53,6 @@ vec4 txnKernel(int kernel, vec2 y, TxnPixel pixel) {
     return sum / float(pixel.fetches);
 }
 #else
-uniform vec2 txnFootprint; // in exemplar pixels
-
 // Outside the footprint lie zeros, as on its border.
 vec4 txnTexel(int kernel, ivec2 n) {
     return texelFetch(txnKernels, ivec3(clamp(n, ivec2(0), ivec2(txnFootprint) - 1), kernel), 0);

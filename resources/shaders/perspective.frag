@@ -27,6 +27,7 @@ void main() {
         color = mix(background, txnOffset, ground);
         return;
     }
+    q.z = max(q.z, 1e-3 * length(vec2(rayRight.z, rayDown.z))); // far enough to be all mean
     vec2 point = q.xy / q.z;
     vec2 dx = (rayRight.xy - point * rayRight.z) / q.z;
     vec2 dy = (rayDown.xy - point * rayDown.z) / q.z;

@@ -72,7 +72,7 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
 
 // The same at a point in exemplar pixels.
 vec4 surfaceNoise(vec3 point, mat3 frame, vec2 dx, vec2 dy) {
-    vec3 place = point / txnSpaceCell;
-    vec3 cell = floor(clamp(place, -1e8, 1e8));
+    vec3 place = clamp(point / txnSpaceCell, -1e8, 1e8);
+    vec3 cell = floor(place);
     return surfaceNoise(ivec3(cell), place - cell, frame, dx, dy);
 }

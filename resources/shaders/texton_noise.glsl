@@ -54,7 +54,7 @@ vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
 
 // The same at a point in exemplar pixels.
 vec4 textonNoise(vec2 point, vec2 dx, vec2 dy) {
-    vec2 place = point / txnCell;
-    vec2 cell = floor(clamp(place, -1e8, 1e8));
+    vec2 place = clamp(point / txnCell, -1e8, 1e8);
+    vec2 cell = floor(place);
     return textonNoise(ivec2(cell), place - cell, dx, dy);
 }

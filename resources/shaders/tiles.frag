@@ -20,12 +20,12 @@ void main() {
     vec2 place = vec2(pixel - tile * tileSide) + 0.5;
     int list = tile.y * tilesAcross + tile.x;
     int end = texelFetch(starts, list + 1).x;
-    TxnPixel shape; // all pixels are of one scale
+    TxnPixel shape = txnPixel(pictureToPlane[0], pictureToPlane[1]);
     vec4 sum = vec4(0.0);
     for (int i = texelFetch(starts, list).x; i < end; ++i) {
         vec4 impulse = texelFetch(impulses, i);
         vec2 y = pictureToPlane * (place - impulse.xy);
         sum += sign(impulse.z) * txnKernel(int(abs(impulse.z)) - 1, y, shape);
     }
-    color = txnOffset + txnGain * sum;
+    color = txnOffset + txnGain * shape.fade * sum;
 }

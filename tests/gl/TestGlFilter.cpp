@@ -271,6 +271,29 @@ class TestGlFilter : public QObject {
         }
     }
 
+    /// Filtering sets in gently: the artist who zooms sees no step.
+    void zoomingPastOneDoesNotJump() {
+        for (const int order : {0, 1, 3}) {
+            const Texton texton = makeTexton({order, 1, {22, 18}, 3, 52});
+            m_renderer->setTexton(shared(texton));
+            for (const Filter filter : {Filter::Mipmap, Filter::Anisotropic}) {
+                NoiseStyle style = pointStyle();
+                style.filter = filter;
+                const auto at = [&](const View& view) {
+                    const auto image = picture(view, style, {96, 96});
+                    return image ? std::sqrt(energy(*image, texton)) : 0.0;
+                };
+                GroundView ground = towardsTheHorizon(0.0, std::numbers::pi / 2.0);
+                for (const double zoom : {1.0, 0.999, 0.99}) {
+                    ground.zoom = zoom;
+                    TXN_AT_MOST(std::abs(at(PlaneView{0.0, 0.0, zoom}) / at(PlaneView{}) - 1.0),
+                                0.04);
+                    TXN_AT_MOST(std::abs(at(ground) / at(PlaneView{0.0, 0.0, zoom}) - 1.0), 0.04);
+                }
+            }
+        }
+    }
+
     /// The driver's own filter, slow where the processor draws.
     void theHardwaresFilterIsLikeOurs() {
         const Size size{48, 48};
