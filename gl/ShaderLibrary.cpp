@@ -40,7 +40,7 @@ Result<void> append(std::string_view name, std::set<std::string>& seen, std::str
 Result<std::string> shaderText(std::string_view name, const ShaderDefines& defines) {
     std::string text = "#version 330 core\n";
     for (const auto& [key, value] : defines)
-        text += "#define " + key + ' ' + value + '\n';
+        text.append("#define ").append(key).append(" ").append(value).append("\n");
     std::set<std::string> seen;
     if (auto ok = append(name, seen, text); !ok)
         return ok.error();

@@ -6,7 +6,7 @@ namespace txn {
 Result<ShaderProgram*> ShaderVariants::get(const GlContext& context, const ShaderDefines& defines) {
     std::string key;
     for (const auto& [name, value] : defines)
-        key += name + '=' + value + ';';
+        key.append(name).append("=").append(value).append(";");
     if (const auto known = m_programs.find(key); known != m_programs.end())
         return &known->second;
     const auto vertex = shaderText(m_vertexFile, defines);

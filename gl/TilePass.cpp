@@ -35,6 +35,11 @@ struct Lists {
     std::vector<Entry> entries;
 };
 
+struct Box {
+    glm::dvec2 low;
+    glm::dvec2 high;
+};
+
 /// For every tile, the impulses whose kernels meet it.
 Lists tileLists(const ImpulseProcess& impulses,
                 const PlaneMap& map,
@@ -54,26 +59,25 @@ Lists tileLists(const ImpulseProcess& impulses,
         const glm::dvec2 a = turn[0] * extent.x;
         const glm::dvec2 b = turn[1] * extent.y;
         const glm::dvec2 zero(0.0);
-        return std::pair(glm::min(zero, a) + glm::min(zero, b),
-                         glm::max(zero, a) + glm::max(zero, b));
+        return Box{glm::min(zero, a) + glm::min(zero, b), glm::max(zero, a) + glm::max(zero, b)};
     };
     const glm::dvec2 corner = map.middle - toPlane * middle;
-    const auto [low, high] = box(toPlane, {size.width, size.height});
-    const auto [boxLow, boxHigh] = box(toPicture, widened);
+    const Box picture = box(toPlane, {size.width, size.height});
+    const Box around = box(toPicture, widened);
     const glm::dvec2 before = toPicture * reach.before;
 
     const auto visit = [&](auto&& use) {
-        impulses.visit(corner.x + low.x - footprint.x - reach.after.x,
-                       corner.y + low.y - footprint.y - reach.after.y,
-                       corner.x + high.x + reach.before.x,
-                       corner.y + high.y + reach.before.y,
+        impulses.visit(corner.x + picture.low.x - footprint.x - reach.after.x,
+                       corner.y + picture.low.y - footprint.y - reach.after.y,
+                       corner.x + picture.high.x + reach.before.x,
+                       corner.y + picture.high.y + reach.before.y,
                        [&](const Impulse& impulse) {
                            const glm::dvec2 at =
                                toPicture * (glm::dvec2(impulse.x, impulse.y) - map.middle) + middle;
                            const glm::dvec2 first =
-                               glm::floor((at - before + boxLow) / double{kTileSide});
+                               glm::floor((at - before + around.low) / double{kTileSide});
                            const glm::dvec2 last =
-                               glm::floor((at - before + boxHigh) / double{kTileSide});
+                               glm::floor((at - before + around.high) / double{kTileSide});
                            const int x1 = static_cast<int>(std::min(last.x, across - 1.0));
                            const int y1 = static_cast<int>(std::min(last.y, down - 1.0));
                            for (int y = static_cast<int>(std::max(first.y, 0.0)); y <= y1; ++y) {
