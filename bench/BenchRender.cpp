@@ -51,12 +51,13 @@ struct Frame {
 };
 
 std::vector<Frame> frames(Scene scene) {
-    std::vector<Size> sizes{{512, 512}, {1024, 1024}, {1920, 1080}};
-    if (scene == Scene::Plane)
-        sizes.push_back({3840, 2160});
+    constexpr std::array<Size, 4> kSizes{Size{512, 512},
+                                         Size{1024, 1024},
+                                         Size{1920, 1080},
+                                         Size{3840, 2160}};
     std::vector<Frame> result;
     for (const int support : {64, 256}) {
-        for (const Size size : sizes)
+        for (const Size size : kSizes)
             result.push_back({scene, support, size});
     }
     return result;
