@@ -16,8 +16,6 @@ AveragePass::add(const GlContext& context, const OffscreenTarget& picture, float
     auto program = m_shaders.get(context, {});
     if (!program)
         return program.error();
-    if (!m_vertices)
-        m_vertices = GlHandle::make(context, GlHandle::Kind::VertexArray);
     (*program)->use();
     (*program)->set("picture", 0);
     (*program)->set("share", share);
@@ -26,9 +24,7 @@ AveragePass::add(const GlContext& context, const OffscreenTarget& picture, float
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
-    glBindVertexArray(m_vertices.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    m_triangle.draw(context);
     glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ZERO);
     glBindTexture(GL_TEXTURE_2D, 0);

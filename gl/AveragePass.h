@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gl/FullscreenTriangle.h"
 #include "gl/OffscreenTarget.h"
 #include "gl/ShaderVariants.h"
 
@@ -17,7 +18,7 @@ class AveragePass {
 
   private:
     ShaderVariants m_shaders{"fullscreen.vert", "average.frag"};
-    GlHandle m_vertices;
+    FullscreenTriangle m_triangle;
 };
 
 } // namespace txn

@@ -26,9 +26,8 @@ Result<CoverageMask> CoverageMask::create(const GlContext& context, Size size) {
                                      size.width,
                                      size.height);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
-    if (glGetError() != GL_NO_ERROR)
-        return Error{ErrorCode::TooLarge,
-                     "there is not enough graphics memory for " + sizeText(size) + " pixels"};
+    if (auto ok = checkGlMemory(sizeText(size) + " pixels"); !ok)
+        return ok.error();
     const FramebufferScope restore;
     mask.m_sampleFramebuffer = GlHandle::make(context, GlHandle::Kind::Framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, mask.m_sampleFramebuffer.id());

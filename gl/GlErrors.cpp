@@ -10,4 +10,10 @@ void forgetGlErrors() {
     }
 }
 
+Result<void> checkGlMemory(const std::string& what) {
+    if (glGetError() == GL_NO_ERROR)
+        return {};
+    return Error{ErrorCode::TooLarge, "there is not enough graphics memory for " + what};
+}
+
 } // namespace txn

@@ -62,8 +62,8 @@ Result<GpuMesh> GpuMesh::create(const GlContext& context,
                  GL_STATIC_DRAW);
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
-    if (glGetError() != GL_NO_ERROR)
-        return Error{ErrorCode::TooLarge, "there is not enough graphics memory for the mesh"};
+    if (auto ok = checkGlMemory("the mesh"); !ok)
+        return ok.error();
     return result;
 }
 

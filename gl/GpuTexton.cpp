@@ -216,8 +216,8 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
         glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_REPEAT);
         glBindTexture(GL_TEXTURE_3D, 0);
     }
-    if (glGetError() != GL_NO_ERROR)
-        return Error{ErrorCode::TooLarge, "there is not enough graphics memory for the texton"};
+    if (auto ok = checkGlMemory("the texton"); !ok)
+        return ok.error();
     return result;
 }
 

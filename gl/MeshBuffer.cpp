@@ -19,9 +19,8 @@ Result<MeshBuffer> MeshBuffer::create(const GlContext& context, Size size) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.m_depth.id());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width, size.height);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
-    if (glGetError() != GL_NO_ERROR)
-        return Error{ErrorCode::TooLarge,
-                     "there is not enough graphics memory for " + sizeText(size) + " pixels"};
+    if (auto ok = checkGlMemory(sizeText(size) + " pixels"); !ok)
+        return ok.error();
     buffer.m_framebuffer = GlHandle::make(context, GlHandle::Kind::Framebuffer);
     const FramebufferScope restore;
     glBindFramebuffer(GL_FRAMEBUFFER, buffer.m_framebuffer.id());

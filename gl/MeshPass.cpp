@@ -123,11 +123,7 @@ Result<void> MeshPass::draw(const NoiseSource& source,
     glActiveTexture(GL_TEXTURE0);
 
     target.bind();
-    if (!m_vertices)
-        m_vertices = GlHandle::make(context, GlHandle::Kind::VertexArray);
-    glBindVertexArray(m_vertices.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    m_triangle.draw(context);
     for (int i = 0; i <= MeshBuffer::kTextures; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kFirstUnit + i));
         glBindTexture(GL_TEXTURE_2D, 0);

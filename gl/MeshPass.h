@@ -43,7 +43,7 @@ class MeshPass {
     ShaderVariants m_geometry{"mesh.vert", "mesh_geometry.frag"};
     ShaderVariants m_cover{"mesh.vert", "mesh_cover.frag"};
     ShaderVariants m_noise{"fullscreen.vert", "mesh_noise.frag"};
-    GlHandle m_vertices;
+    FullscreenTriangle m_triangle;
     MeshBuffer m_buffer;
     CoverageMask m_mask;
     Size m_refusedMask; ///< a size for which there is none

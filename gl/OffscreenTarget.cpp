@@ -23,9 +23,8 @@ Result<OffscreenTarget> OffscreenTarget::create(const GlContext& context, Size s
     OffscreenTarget target;
     target.m_size = size;
     target.m_color = pictureTexture(context, GL_RGBA32F, size);
-    if (glGetError() != GL_NO_ERROR)
-        return Error{ErrorCode::TooLarge,
-                     "there is not enough graphics memory for " + sizeText(size) + " pixels"};
+    if (auto ok = checkGlMemory(sizeText(size) + " pixels"); !ok)
+        return ok.error();
     target.m_framebuffer = GlHandle::make(context, GlHandle::Kind::Framebuffer);
     const FramebufferScope restore;
     glBindFramebuffer(GL_FRAMEBUFFER, target.m_framebuffer.id());

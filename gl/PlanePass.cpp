@@ -29,14 +29,6 @@ glm::dvec2 coarse(glm::dvec2 value, double largest) {
 
 } // namespace
 
-void PlanePass::fill(const GlContext& context) {
-    if (!m_vertices)
-        m_vertices = GlHandle::make(context, GlHandle::Kind::VertexArray);
-    glBindVertexArray(m_vertices.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-}
-
 Result<void>
 PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift) {
     ShaderDefines defines = source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom);
@@ -47,9 +39,7 @@ PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm
     ShaderProgram& shader = **program;
     shader.use();
     setNoiseUniforms(shader, source.texton, source.style.noise);
-    const ImpulseProcess impulses(source.style.noise,
-                                  source.texton.footprint(),
-                                  source.texton.kernelCount());
+    const ImpulseProcess impulses = source.impulses();
     const PlaneMap map = planeMap(view, size);
     source.gpu.applyOneScale(shader, source.context, source.style.filter, map.right, map.down);
     setBase(shader, impulses, map.middle + shift.x * map.right + shift.y * map.down);
@@ -66,7 +56,7 @@ PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm
     shader.set("rightLow", glm::vec2(right - rightHigh));
     shader.set("downHigh", glm::vec2(downHigh));
     shader.set("downLow", glm::vec2(down - downHigh));
-    fill(source.context);
+    m_triangle.draw(source.context);
     return {};
 }
 
@@ -81,9 +71,7 @@ PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, gl
     shader.use();
     source.gpu.apply(shader, source.context, source.style.filter);
     setNoiseUniforms(shader, source.texton, source.style.noise);
-    const ImpulseProcess impulses(source.style.noise,
-                                  source.texton.footprint(),
-                                  source.texton.kernelCount());
+    const ImpulseProcess impulses = source.impulses();
     const GroundMap map = groundMap(view, size);
     setBase(shader, impulses, map.base);
     shader.set("middle", middlePixel(size));
@@ -92,7 +80,7 @@ PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, gl
     shader.set("rayRight", glm::vec3(map.right));
     shader.set("rayDown", glm::vec3(map.down));
     shader.set("background", pictureColor(view.background, source.texton.transfer));
-    fill(source.context);
+    m_triangle.draw(source.context);
     return {};
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/noise/ImpulseProcess.h"
 #include "core/texton/Texton.h"
+#include "gl/FullscreenTriangle.h"
 #include "gl/GpuTexton.h"
 #include "gl/ShaderVariants.h"
 #include "gl/View.h"
@@ -16,6 +18,11 @@ struct NoiseSource {
     const Texton& texton;
     const GpuTexton& gpu;
     const NoiseStyle& style;
+
+    /// Of the plane.
+    ImpulseProcess impulses() const {
+        return {style.noise, texton.footprint(), texton.kernelCount()};
+    }
 };
 
 /// Draws noise of the plane by evaluating it in every pixel: from above, and to the horizon.
@@ -30,11 +37,9 @@ class PlanePass {
     draw(const NoiseSource& source, const GroundView& view, Size size, glm::dvec2 shift);
 
   private:
-    void fill(const GlContext& context);
-
     ShaderVariants m_above{"fullscreen.vert", "plane.frag"};
     ShaderVariants m_ground{"fullscreen.vert", "perspective.frag"};
-    GlHandle m_vertices;
+    FullscreenTriangle m_triangle;
 };
 
 } // namespace txn

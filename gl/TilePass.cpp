@@ -152,9 +152,7 @@ TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm:
     const GlContext& context = source.context;
     PlaneMap map = planeMap(view, size);
     map.middle += shift.x * map.right + shift.y * map.down;
-    const ImpulseProcess impulses(source.style.noise,
-                                  source.texton.footprint(),
-                                  source.texton.kernelCount());
+    const ImpulseProcess impulses = source.impulses();
     const Size footprint = source.texton.footprint();
     Lists lists = tileLists(impulses,
                             map,
@@ -193,11 +191,7 @@ TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm:
          lists.starts.size() * sizeof(std::int32_t),
          kStartUnit);
 
-    if (!m_vertices)
-        m_vertices = GlHandle::make(context, GlHandle::Kind::VertexArray);
-    glBindVertexArray(m_vertices.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    m_triangle.draw(context);
     for (const int unit : {kImpulseUnit, kStartUnit}) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glBindTexture(GL_TEXTURE_BUFFER, 0);

@@ -34,7 +34,7 @@ class TilePass {
                      int unit);
 
     ShaderVariants m_shaders{"fullscreen.vert", "tiles.frag"};
-    GlHandle m_vertices;
+    FullscreenTriangle m_triangle;
     Table m_impulses;
     Table m_starts;
 };

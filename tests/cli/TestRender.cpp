@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/ImageIo.h"
+#include "tests/helpers/Images.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -7,22 +8,11 @@
 #include <limits>
 
 using namespace txn;
+using txn::test::imageDistance;
 
 namespace {
 
 constexpr int kTimeoutMs = 300'000;
-
-/// Largest difference of two samples; infinite for images that do not fit together.
-double distance(const Image& a, const Image& b) {
-    if (a.empty() || a.size() != b.size() || a.channels() != b.channels())
-        return std::numeric_limits<double>::infinity();
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.samples().size(); ++i) {
-        const double difference = std::abs(double{a.samples()[i]} - double{b.samples()[i]});
-        largest = difference <= largest ? largest : difference; // NaN stays
-    }
-    return largest;
-}
 
 struct Outcome {
     int code = -1; ///< -1: it crashed or hung
@@ -100,7 +90,7 @@ void TestRender::flatViewIsTheNoiseOfTheOtherCommand() {
             run("noise t.exr -o cpu.exr --depth float --size 128x96 --origin 1000000,-100" + noise)
                 .code,
             0);
-        QVERIFY(distance(image("gpu.exr"), image("cpu.exr")) <= 1e-4);
+        QVERIFY(imageDistance(image("gpu.exr"), image("cpu.exr")) <= 1e-4);
     }
 }
 
@@ -142,7 +132,7 @@ void TestRender::sameEveryTime() {
         for (const char* name : {"one.exr", "two.exr"})
             QCOMPARE(run(QString("render t.exr -o %1 --size 64x48 --view %2").arg(name, view)).code,
                      0);
-        QVERIFY2(distance(image("one.exr"), image("two.exr")) <= 0.0, view);
+        QVERIFY2(imageDistance(image("one.exr"), image("two.exr")) <= 0.0, view);
     }
 }
 

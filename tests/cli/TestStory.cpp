@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/ImageIo.h"
+#include "tests/helpers/Images.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <limits>
 
 using namespace txn;
+using txn::test::imageDistance;
 
 namespace {
 
@@ -15,18 +17,6 @@ constexpr int kTimeoutMs = 600'000;
 #else
 constexpr int kTimeoutMs = 60'000;
 #endif
-
-/// Largest difference of two samples; infinite for images that do not fit together.
-double distance(const Image& a, const Image& b) {
-    if (a.empty() || a.size() != b.size() || a.channels() != b.channels())
-        return std::numeric_limits<double>::infinity();
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.samples().size(); ++i) {
-        const double difference = std::abs(double{a.samples()[i]} - double{b.samples()[i]});
-        largest = difference <= largest ? largest : difference; // NaN stays
-    }
-    return largest;
-}
 
 /// The image read from a place inside it and around its borders.
 Image shifted(const Image& image, int left, int top) {
@@ -163,9 +153,9 @@ void TestStory::sameNoiseFromAllFormats() {
     const Image fromExr = noise("t.exr", options);
     QCOMPARE(fromExr.size(), (Size{128, 96}));
     // Both keep every float; the mean may be rounded differently on the way.
-    QVERIFY(distance(fromExr, noise("t.texton", options)) <= 1e-4);
+    QVERIFY(imageDistance(fromExr, noise("t.texton", options)) <= 1e-4);
     // 16 bits for each of the coefficients, of which some hundred add up.
-    QVERIFY(distance(fromExr, noise("t.png", options)) <= 2e-3);
+    QVERIFY(imageDistance(fromExr, noise("t.png", options)) <= 2e-3);
 }
 
 void TestStory::tileWraps() {
@@ -173,10 +163,11 @@ void TestStory::tileWraps() {
     const Image tile = noise("t.exr", options);
     QVERIFY(!tile.empty());
     // Rounding of the transforms, whose tiles lie elsewhere.
-    QVERIFY(distance(tile, noise("t.exr", options + " --origin 80,-64")) <= 1e-4);
-    QVERIFY(distance(shifted(tile, 33, 17), noise("t.exr", options + " --origin 33,17")) <= 1e-4);
+    QVERIFY(imageDistance(tile, noise("t.exr", options + " --origin 80,-64")) <= 1e-4);
+    QVERIFY(imageDistance(shifted(tile, 33, 17), noise("t.exr", options + " --origin 33,17")) <=
+            1e-4);
     // Without --tile it would not.
-    QVERIFY(distance(tile, noise("t.exr", "--size 80x64 --origin 80,0")) > 0.01);
+    QVERIFY(imageDistance(tile, noise("t.exr", "--size 80x64 --origin 80,0")) > 0.01);
 }
 
 void TestStory::threadsDoNotMatter() {
@@ -208,9 +199,9 @@ void TestStory::originIsAPlaceInOnePlane() {
     const Image plane = noise("t.exr", "--size 260x140");
     const Image window = noise("t.exr", "--size 200x100 --origin 37,11");
     QCOMPARE(window.size(), (Size{200, 100}));
-    QVERIFY(distance(part(plane, 37, 11, {200, 100}), window) <= 1e-5);
+    QVERIFY(imageDistance(part(plane, 37, 11, {200, 100}), window) <= 1e-5);
     const Image before = noise("t.exr", "--size 150x110 --origin -50,-60");
-    QVERIFY(distance(part(before, 50, 60, {100, 50}), part(plane, 0, 0, {100, 50})) <= 1e-5);
+    QVERIFY(imageDistance(part(before, 50, 60, {100, 50}), part(plane, 0, 0, {100, 50})) <= 1e-5);
 }
 
 void TestStory::comparesItselfAsEqual() {

@@ -5,6 +5,7 @@
 #include "core/image/Image.h"
 #include "tests/helpers/Numbers.h"
 
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -41,6 +42,13 @@ inline Image texturedImage(Size size, int channels, std::uint64_t seed) {
         }
     }
     return image;
+}
+
+/// Largest difference of two samples; infinite for images that do not fit together.
+inline double imageDistance(const Image& a, const Image& b) {
+    if (a.empty() || a.size() != b.size() || a.channels() != b.channels())
+        return std::numeric_limits<double>::infinity();
+    return largestDifference(a.samples(), b.samples());
 }
 
 inline Exemplar exemplarOf(Image image) {
