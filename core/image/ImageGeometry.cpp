@@ -109,7 +109,8 @@ Result<Image> crop(const Image& image, const Rect& rect) {
     return result;
 }
 
-Result<Image> rotated(const Image& image, double degreesCounterClockwise) {
+Result<Image>
+rotated(const Image& image, double degreesCounterClockwise, const CancelToken& cancel) {
     if (!std::isfinite(degreesCounterClockwise))
         return Error{ErrorCode::InvalidArgument, "cannot rotate by an angle that is not a number"};
     const double degrees = std::remainder(degreesCounterClockwise, 360.0);
@@ -132,7 +133,7 @@ Result<Image> rotated(const Image& image, double degreesCounterClockwise) {
     const double sine = std::sin(angle);
     const double cosine = std::cos(angle);
     tbb::parallel_for(tbb::blocked_range<int>(0, size.height, 8), [&](const auto& rows) {
-        for (int y = rows.begin(); y != rows.end(); ++y) {
+        for (int y = rows.begin(); y != rows.end() && !cancel.cancelled(); ++y) {
             const double dy = y + 0.5 - 0.5 * size.height;
             for (int x = 0; x < size.width; ++x) {
                 const double dx = x + 0.5 - 0.5 * size.width;
@@ -158,6 +159,8 @@ Result<Image> rotated(const Image& image, double degreesCounterClockwise) {
             }
         }
     });
+    if (cancel.cancelled())
+        return Error{ErrorCode::Cancelled, "cancelled"};
     return result;
 }
 

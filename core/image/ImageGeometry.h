@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/CancelToken.h"
 #include "core/base/Result.h"
 #include "core/image/Image.h"
 
@@ -13,8 +14,9 @@ namespace txn {
 /// The image turned about its center and cropped to the largest upright rectangle that lies wholly
 /// inside the turned picture. Multiples of 90 degrees move samples and change none; other angles
 /// resample with a Lanczos filter of radius 3, which may overshoot by some percent at sharp edges.
-/// Errors: InvalidArgument for an angle that is not finite or where nothing is left.
-[[nodiscard]] Result<Image> rotated(const Image& image, double degreesCounterClockwise);
+/// Errors: InvalidArgument for an angle that is not finite or where nothing is left; Cancelled.
+[[nodiscard]] Result<Image>
+rotated(const Image& image, double degreesCounterClockwise, const CancelToken& cancel = {});
 
 /// The image upright, given how it is stored as EXIF numbers it: 1 is upright, 2 to 8 the mirrored
 /// and turned ones, anything else counts as 1.

@@ -23,7 +23,7 @@ std::vector<double> blurResponse(int length, double radius) {
 
 } // namespace
 
-Result<Image> flattenLighting(const Image& image, double radiusPx) {
+Result<Image> flattenLighting(const Image& image, double radiusPx, const CancelToken& cancel) {
     if (!(radiusPx > 0.0 && std::isfinite(radiusPx)))
         return Error{ErrorCode::InvalidArgument, "the radius for even lighting must be above 0"};
     const auto horizontal = blurResponse(image.width(), radiusPx);
@@ -31,6 +31,8 @@ Result<Image> flattenLighting(const Image& image, double radiusPx) {
     CosineTransform2d transform(image.size());
     Image result = image;
     for (int c = 0; c < image.channels(); ++c) {
+        if (cancel.cancelled())
+            return Error{ErrorCode::Cancelled, "cancelled"};
         const auto plane = result.plane(c);
         const auto values = transform.values();
         std::copy(plane.begin(), plane.end(), values.begin());
