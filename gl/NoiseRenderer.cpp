@@ -54,6 +54,29 @@ struct NoiseRenderer::Card {
 
 namespace {
 
+/// Keeps drawing, and clearing, to a part of the picture.
+class ScissorScope {
+  public:
+    ScissorScope(const std::optional<Rect>& part, Size picture) : m_active(part.has_value()) {
+        if (!part)
+            return;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(static_cast<GLint>(part->x),
+                  static_cast<GLint>(picture.height - part->y - part->size.height),
+                  part->size.width,
+                  part->size.height);
+    }
+    ScissorScope(const ScissorScope&) = delete;
+    ScissorScope& operator=(const ScissorScope&) = delete;
+    ~ScissorScope() {
+        if (m_active)
+            glDisable(GL_SCISSOR_TEST);
+    }
+
+  private:
+    bool m_active;
+};
+
 Error outOfRange(const std::string& what, const std::string& range) {
     return Error{ErrorCode::InvalidArgument, what + " must be " + range};
 }
@@ -200,7 +223,8 @@ Result<void> NoiseRenderer::Card::drawAveraged(const NoiseSource& source,
 Result<void> NoiseRenderer::draw(const GlContext& context,
                                  const View& view,
                                  const NoiseStyle& style,
-                                 const OffscreenTarget& target) {
+                                 const OffscreenTarget& target,
+                                 const std::optional<Rect>& part) {
     if (auto ok = checkStyle(style); !ok)
         return ok.error();
     if (auto ok = checkView(view); !ok)
@@ -217,6 +241,7 @@ Result<void> NoiseRenderer::draw(const GlContext& context,
     }
     const FramebufferScope restore;
     startFromDefaults();
+    const ScissorScope onlyPart(part, target.size());
     if (auto ok = prepare(context, view, style); !ok)
         return ok.error();
     const bool filtered = style.filter != Filter::None;

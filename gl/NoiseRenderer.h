@@ -8,6 +8,7 @@
 #include "gl/View.h"
 
 #include <memory>
+#include <optional>
 
 namespace txn {
 
@@ -34,10 +35,13 @@ class NoiseRenderer {
     /// Errors: InvalidArgument for values out of range, without a texton or a mesh, or while
     /// another living context holds what was drawn with; Unsupported where the texton or the mesh
     /// does not suit the view, or the driver refuses a shader; TooLarge.
+    /// part: only these pixels of the target change, y down; views that take long can be drawn
+    /// piece by piece.
     [[nodiscard]] Result<void> draw(const GlContext& context,
                                     const View& view,
                                     const NoiseStyle& style,
-                                    const OffscreenTarget& target);
+                                    const OffscreenTarget& target,
+                                    const std::optional<Rect>& part = {});
 
     /// Gives back everything on the graphics card; the next draw() makes it again.
     void release();

@@ -74,6 +74,33 @@ class TestGlContext : public QObject {
 
   private slots:
     void initTestCase() { TXN_NEEDS_GL(m_context); }
+
+    void viewsCanBeDrawnInPieces() {
+        for (const View& view : allViews()) {
+            auto renderer = fullRenderer();
+            const auto whole = drawn(gl(), renderer, view, pointStyle(), kSize);
+            TXN_OK(whole);
+            const auto target = OffscreenTarget::create(gl(), kSize);
+            TXN_OK(target);
+            for (int y = 0; y < kSize.height; y += 11) {
+                const Rect piece{0, y, {kSize.width, std::min(11, kSize.height - y)}};
+                TXN_OK(renderer.draw(gl(), view, pointStyle(), *target, piece));
+            }
+            QVERIFY(target->read(4, Transfer::Encoded) == *whole);
+            // What is outside the piece stays.
+            auto other = pointStyle();
+            other.noise.seed = {99};
+            TXN_OK(renderer.draw(gl(), view, other, *target, Rect{0, 8, {kSize.width, 8}}));
+            const Image changed = target->read(4, Transfer::Encoded);
+            for (int y = 0; y < kSize.height; ++y) {
+                const bool inside = y >= 8 && y < 16;
+                const auto row = changed.row(0, y);
+                const auto before = whole->row(0, y);
+                const bool equal = std::equal(row.begin(), row.end(), before.begin());
+                QVERIFY(inside || equal);
+            }
+        }
+    }
     void cleanupTestCase() { m_context.reset(); }
 
     void init() {
