@@ -106,7 +106,8 @@ class TestSuitability : public QObject {
         for (const Size size : {Size{4, 4}, Size{4, 70}, Size{70, 4}}) {
             Image image(size, 1, 0.5F);
             image.at(0, 0, 0) = 0.7F;
-            TXN_OK(assess(exemplar(std::move(image))));
+            const auto verdict = assess(exemplar(std::move(image)));
+            TXN_OK(verdict);
         }
     }
 
