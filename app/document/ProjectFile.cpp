@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/ProjectFile.h"
+
+#include "app/document/ProjectReader.h"
+#include "core/mesh/BuiltinMeshes.h"
+
+#include <QCborMap>
+#include <QCborValue>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace txn::app {
+namespace {
+
+const QString kFormat = QStringLiteral("texton-studio-project");
+constexpr int kVersion = 1;
+
+std::string named(const QString& path) {
+    return quoted(std::filesystem::path(QFile::encodeName(path).toStdString()));
+}
+
+QCborValue imageValue(const Image& image) {
+    const auto samples = image.samples();
+    QCborMap map;
+    map[QStringLiteral("width")] = image.width();
+    map[QStringLiteral("height")] = image.height();
+    map[QStringLiteral("channels")] = image.channels();
+    map[QStringLiteral("samples")] = QByteArray(reinterpret_cast<const char*>(samples.data()),
+                                                static_cast<qsizetype>(samples.size_bytes()));
+    return map;
+}
+
+QCborValue textonValue(const TextonAsset& asset) {
+    const Texton& texton = asset.texton;
+    const Size size = texton.support.size();
+    QCborMap map;
+    QCborArray kernels;
+    for (const Image& kernel : texton.kernels)
+        kernels.append(imageValue(kernel));
+    QCborArray mean;
+    for (const double m : texton.mean)
+        mean.append(m);
+    QByteArray inside(static_cast<qsizetype>(size.area()), '\0');
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x)
+            inside[static_cast<qsizetype>(y) * size.width + x] =
+                texton.support.contains(x, y) ? 1 : 0;
+    }
+    map[QStringLiteral("kernels")] = kernels;
+    map[QStringLiteral("mean")] = mean;
+    map[QStringLiteral("shape")] = static_cast<int>(texton.support.shape());
+    map[QStringLiteral("inside")] = inside;
+    map[QStringLiteral("order")] = texton.interpolationOrder;
+    map[QStringLiteral("linear")] = texton.transfer == Transfer::Linear;
+    map[QStringLiteral("process")] = static_cast<int>(asset.process);
+    map[QStringLiteral("mni")] = asset.meanImpacts;
+    map[QStringLiteral("seed")] = static_cast<qint64>(asset.seed.value);
+    map[QStringLiteral("exemplar")] = QString::fromStdString(asset.exemplarName);
+    return map;
+}
+
+QCborValue sourceValue(const Source& source, ExemplarStorage storage, const QString& folder) {
+    QCborMap map;
+    map[QStringLiteral("name")] = source.name;
+    if (!source.sample.isEmpty()) {
+        map[QStringLiteral("sample")] = source.sample;
+        return map;
+    }
+    map[QStringLiteral("sha256")] = source.hash;
+    // Relative, so that folders can move and nothing is told of the machine.
+    const QString link = QDir(folder).relativeFilePath(source.path);
+    if (storage == ExemplarStorage::Linked && !source.path.isEmpty() && !QDir::isAbsolutePath(link))
+        map[QStringLiteral("link")] = link;
+    else
+        map[QStringLiteral("bytes")] = source.bytes;
+    return map;
+}
+
+QCborValue editValue(const ExemplarEdit& edit) {
+    QCborMap map;
+    if (edit.crop)
+        map[QStringLiteral("crop")] = QCborArray{static_cast<qint64>(edit.crop->x),
+                                                 static_cast<qint64>(edit.crop->y),
+                                                 edit.crop->size.width,
+                                                 edit.crop->size.height};
+    map[QStringLiteral("straighten")] = edit.straightenDegrees;
+    if (edit.flattenRadiusPx)
+        map[QStringLiteral("flatten")] = *edit.flattenRadiusPx;
+    map[QStringLiteral("linear")] = edit.linear;
+    map[QStringLiteral("periodic")] = edit.periodic;
+    return map;
+}
+
+QCborValue gaussianValue(const GaussianSettings& gaussian) {
+    return QCborMap{{QStringLiteral("method"), static_cast<int>(gaussian.method)},
+                    {QStringLiteral("seed"), static_cast<qint64>(gaussian.seed.value)}};
+}
+
+QCborValue settingsValue(const TextonSettings& texton) {
+    return QCborMap{{QStringLiteral("width"), texton.support.width},
+                    {QStringLiteral("height"), texton.support.height},
+                    {QStringLiteral("disc"), texton.disc},
+                    {QStringLiteral("order"), texton.interpolationOrder},
+                    {QStringLiteral("iterations"), texton.iterations},
+                    {QStringLiteral("momentum"), texton.momentum},
+                    {QStringLiteral("seed"), static_cast<qint64>(texton.seed.value)},
+                    {QStringLiteral("seed_locked"), texton.seedLocked},
+                    {QStringLiteral("color_correction"), texton.colorCorrection}};
+}
+
+QCborValue noiseValue(const NoiseSettings& noise, const QString& folder) {
+    QCborMap map{{QStringLiteral("process"), static_cast<int>(noise.process)},
+                 {QStringLiteral("mni"), noise.meanImpacts},
+                 {QStringLiteral("seed"), static_cast<qint64>(noise.seed.value)},
+                 {QStringLiteral("filter"), static_cast<int>(noise.filter)},
+                 {QStringLiteral("scale"), noise.scale},
+                 {QStringLiteral("contrast"), noise.contrast},
+                 {QStringLiteral("brightness"), noise.brightness},
+                 {QStringLiteral("scene"), static_cast<int>(noise.scene)},
+                 {QStringLiteral("lighting"), noise.lighting}};
+    const QString link = QDir(folder).relativeFilePath(noise.mesh);
+    map[QStringLiteral("mesh")] = builtinMesh(noise.mesh.toStdString()) ? noise.mesh
+                                  : QDir::isAbsolutePath(link)          ? QFileInfo(link).fileName()
+                                                                        : link;
+    return map;
+}
+
+QCborValue viewValue(const ViewState& view) {
+    QCborArray shown;
+    for (const Picture picture : view.shown)
+        shown.append(static_cast<int>(picture));
+    QCborMap map{{QStringLiteral("layout"), static_cast<int>(view.layout)},
+                 {QStringLiteral("shown"), shown},
+                 {QStringLiteral("wipe"), view.wipe},
+                 {QStringLiteral("x"), view.centerX},
+                 {QStringLiteral("y"), view.centerY},
+                 {QStringLiteral("zoom"), view.zoom},
+                 {QStringLiteral("exposure"), view.exposure},
+                 {QStringLiteral("tiled"), view.tiled},
+                 {QStringLiteral("yaw"), view.yaw},
+                 {QStringLiteral("pitch"), view.pitch},
+                 {QStringLiteral("distance"), view.distance}};
+    if (view.channel)
+        map[QStringLiteral("channel")] = *view.channel;
+    return map;
+}
+
+Result<std::shared_ptr<const Source>>
+readSource(const CborReader& reader, const QString& folder, QStringList& warnings) {
+    const QString name = reader.text("name");
+    if (const QString sample = reader.text("sample"); !sample.isEmpty())
+        return sampleSource(sample);
+    if (const QByteArray bytes = reader.bytes("bytes"); !bytes.isEmpty())
+        return decodeSource(bytes, name.isEmpty() ? QStringLiteral("exemplar") : name);
+    const QString link = reader.text("link");
+    if (link.isEmpty() || QDir::isAbsolutePath(link))
+        return Error{ErrorCode::Unreadable, "the exemplar is missing"};
+    auto source = openSource(QDir(folder).absoluteFilePath(link));
+    if (source && (*source)->hash != reader.bytes("sha256"))
+        warnings.append(
+            QStringLiteral("%1 has changed since the project was saved").arg((*source)->name));
+    return source;
+}
+
+} // namespace
+
+QByteArray encodeProject(const Project& project,
+                         const ViewState& view,
+                         ExemplarStorage storage,
+                         const QString& projectFolder) {
+    QCborMap map;
+    map[QStringLiteral("format")] = kFormat;
+    map[QStringLiteral("version")] = kVersion;
+    if (project.source)
+        map[QStringLiteral("exemplar")] = sourceValue(*project.source, storage, projectFolder);
+    if (project.importedTexton)
+        map[QStringLiteral("texton")] = textonValue(*project.importedTexton);
+    map[QStringLiteral("edit")] = editValue(project.edit);
+    map[QStringLiteral("gaussian")] = gaussianValue(project.gaussian);
+    map[QStringLiteral("settings")] = settingsValue(project.texton);
+    map[QStringLiteral("noise")] = noiseValue(project.noise, projectFolder);
+    map[QStringLiteral("view")] = viewValue(view);
+    return QCborValue(QCborKnownTags::Signature, map).toCbor();
+}
+
+Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path) {
+    const auto damaged = [&](const std::string& reason) {
+        return Error{ErrorCode::Unreadable, named(path) + ": " + reason};
+    };
+    QCborParserError problem;
+    const QCborValue value = QCborValue::fromCbor(bytes, &problem);
+    if (problem.error != QCborError::NoError)
+        return damaged("not a whole Texton Studio project; open another copy of it");
+    CborReader root(value.taggedValue(value).toMap());
+    if (root.text("format") != kFormat)
+        return damaged("not a Texton Studio project");
+    const auto version = root.integer("version", 1, 1 << 20, 0);
+    if (version > kVersion)
+        return damaged("made by a later version of Texton Studio; please update the program");
+
+    SavedProject saved;
+    const QString folder = QFileInfo(path).absolutePath();
+    if (root.has("exemplar")) {
+        auto source = readSource(root.map("exemplar"), folder, saved.warnings);
+        if (!source)
+            return Error{source.error().code, named(path) + ": " + source.error().message};
+        saved.project.source = std::move(*source);
+    } else if (root.has("texton")) {
+        auto asset = readTextonAsset(root.map("texton"));
+        if (!asset)
+            return damaged(asset.error().message);
+        saved.project.importedTexton = std::make_shared<const TextonAsset>(std::move(*asset));
+    }
+    bool good = root.isGood();
+    good = readEdit(root.map("edit"), saved.project.edit) && good;
+    good = readGaussian(root.map("gaussian"), saved.project.gaussian) && good;
+    good = readSettings(root.map("settings"), saved.project.texton) && good;
+    good = readNoise(root.map("noise"), saved.project.noise) && good;
+    good = readView(root.map("view"), saved.view) && good;
+    if (!good)
+        return damaged("damaged: a value is out of its range; open another copy of it");
+    QString& mesh = saved.project.noise.mesh;
+    if (!builtinMesh(mesh.toStdString())) {
+        const QString file = QDir(folder).absoluteFilePath(mesh);
+        if (!QFileInfo(file).isFile())
+            saved.warnings.append(
+                QStringLiteral("%1 is missing; a sphere takes its place").arg(mesh));
+        mesh = QFileInfo(file).isFile() ? file : NoiseSettings{}.mesh;
+    }
+    return saved;
+}
+
+Result<void> saveProject(const Project& project,
+                         const ViewState& view,
+                         ExemplarStorage storage,
+                         const QString& path) {
+    QSaveFile file(path);
+    const QByteArray bytes = encodeProject(project, view, storage, QFileInfo(path).absolutePath());
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return Error{ErrorCode::Unwritable,
+                     named(path) + " cannot be written: " + file.errorString().toStdString() +
+                         "; please choose another place"};
+    return {};
+}
+
+Result<SavedProject> openProject(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{file.exists() ? ErrorCode::Unreadable : ErrorCode::NotFound,
+                     named(path) + " cannot be read: " + file.errorString().toStdString()};
+    return decodeProject(file.readAll(), path);
+}
+
+} // namespace txn::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/Project.h"
+
+#include <QStringList>
+
+namespace txn::app {
+
+struct SavedProject {
+    Project project;
+    ViewState view;
+    QStringList warnings; ///< one line each, for the message bar
+};
+
+/// Whether the exemplar's bytes go into the project or only its path and content hash.
+enum class ExemplarStorage { Embedded, Linked };
+
+/// Project files (.txnproj): CBOR (RFC 8949), self-described, a map whose first entry names format
+/// and version; docs/FORMATS.md. They hold data only. The path of a linked exemplar is kept
+/// relative to the project's folder. Any thread; reading decodes the exemplar and may take a while.
+[[nodiscard]] QByteArray encodeProject(const Project& project,
+                                       const ViewState& view,
+                                       ExemplarStorage storage,
+                                       const QString& projectFolder);
+/// Errors: Unreadable for what is damaged or of a later version, NotFound for a linked exemplar
+/// that has gone; the message names the file.
+[[nodiscard]] Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path);
+
+/// Writes aside and renames: the old file or the new one, whole.
+[[nodiscard]] Result<void> saveProject(const Project& project,
+                                       const ViewState& view,
+                                       ExemplarStorage storage,
+                                       const QString& path);
+[[nodiscard]] Result<SavedProject> openProject(const QString& path);
+
+} // namespace txn::app

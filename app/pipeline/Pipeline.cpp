@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pipeline/Pipeline.h"
+
+#include "app/jobs/AnalysisJob.h"
+#include "app/jobs/ExemplarJob.h"
+#include "app/jobs/TextonJob.h"
+#include "core/mesh/BuiltinMeshes.h"
+#include "core/mesh/MeshIo.h"
+
+#include <QFile>
+
+namespace txn::app {
+
+Pipeline::Pipeline(ProjectDocument& document, JobRunner& runner, QObject* parent)
+    : QObject(parent), m_document(document), m_runner(runner) {
+    // Several changes in one go, such as a preset's, start one job.
+    m_updateSoon.setSingleShot(true);
+    m_updateSoon.setInterval(0);
+    connect(&m_updateSoon, &QTimer::timeout, this, &Pipeline::update);
+    connect(&m_document,
+            &ProjectDocument::projectChanged,
+            &m_updateSoon,
+            qOverload<>(&QTimer::start));
+    connect(&m_runner, &JobRunner::jobsChanged, this, &Pipeline::stateChanged);
+}
+
+void Pipeline::update() {
+    updateExemplar();
+    updateGaussian();
+    updateTexton();
+    updateVerdict();
+    updateMesh();
+    updateNoiseTexton();
+    updateAnalysis();
+    emit stateChanged();
+}
+
+void Pipeline::fail(const Error& error) {
+    if (error.code != ErrorCode::Cancelled)
+        emit failed(QString::fromStdString(error.message));
+}
+
+void Pipeline::updateExemplar() {
+    const Project& project = m_document.project();
+    if (!project.source) {
+        m_runner.cancel(JobKind::Exemplar);
+        if (m_exemplar.value) {
+            m_exemplar.clear();
+            emit exemplarChanged();
+        }
+        return;
+    }
+    const ExemplarKey key{project.source, project.edit};
+    if (!m_exemplar.want(key))
+        return;
+    if (m_exemplar.made == key) { // undone before the new one was there
+        m_runner.cancel(JobKind::Exemplar);
+        return;
+    }
+    m_runner.submit(JobKind::Exemplar,
+                    tr("Preparing the exemplar"),
+                    [this, key](JobContext& context) -> Delivery {
+                        auto result = makeExemplarResult(key.source, key.edit, context);
+                        return [this, key, result = std::move(result)] {
+                            if (!result) {
+                                fail(result.error());
+                                return;
+                            }
+                            m_exemplar.set(key, *result);
+                            emit exemplarChanged();
+                            update();
+                        };
+                    });
+}
+
+void Pipeline::updateGaussian() {
+    if (!m_exemplar.value) {
+        m_runner.cancel(JobKind::Gaussian);
+        if (m_gaussian.value) {
+            m_gaussian.clear();
+            emit gaussianChanged();
+        }
+        return;
+    }
+    if (m_exemplar.isStale())
+        return; // soon there is another exemplar
+    const GaussianKey key{m_exemplar.value, m_document.project().gaussian};
+    if (!m_gaussian.want(key))
+        return;
+    if (m_gaussian.made == key) {
+        m_runner.cancel(JobKind::Gaussian);
+        return;
+    }
+    m_runner.submit(
+        JobKind::Gaussian,
+        tr("Making the Gaussian version"),
+        [this, key](JobContext& context) -> Delivery {
+            auto result = std::make_shared<const GaussianResult>(GaussianResult{PicturePyramid(
+                sampleGaussian(key.exemplar->model, key.settings.method, key.settings.seed))});
+            if (context.cancelled())
+                return {};
+            return [this, key, result = std::move(result)] {
+                m_gaussian.set(key, result);
+                emit gaussianChanged();
+                update();
+            };
+        });
+}
+
+void Pipeline::updateTexton() {
+    const Project& project = m_document.project();
+    if (project.importedTexton) {
+        const TextonKey key{nullptr, project.importedTexton, {}, 0};
+        if (m_texton.want(key)) {
+            m_runner.cancel(JobKind::Texton);
+            m_texton.set(key, importedTexton(*project.importedTexton));
+            m_finishedTexton = m_texton.value;
+            emit textonChanged();
+        }
+        return;
+    }
+    if (!m_exemplar.value) {
+        m_runner.cancel(JobKind::Texton);
+        if (m_texton.value) {
+            m_texton.clear();
+            m_finishedTexton.reset();
+            emit textonChanged();
+        }
+        return;
+    }
+    if (m_exemplar.isStale())
+        return;
+    const TextonKey key{m_exemplar.value, nullptr, project.texton, m_attempt};
+    if (!m_texton.want(key))
+        return;
+    if (m_texton.made == key) { // undone before the new one was there
+        cancelTexton();
+        return;
+    }
+    m_runner.submit(
+        JobKind::Texton,
+        tr("Computing the texton"),
+        [this, key](JobContext& context) -> Delivery {
+            const auto show = [this](const std::shared_ptr<const TextonResult>& result) {
+                m_texton.value = result;
+                emit textonChanged();
+                updateNoiseTexton();
+            };
+            auto result = computeTexton(
+                *key.exemplar,
+                key.settings,
+                context,
+                [&](std::shared_ptr<const TextonResult> partial) {
+                    context.deliver([show, partial = std::move(partial)] { show(partial); });
+                });
+            return [this, key, show, result = std::move(result)] {
+                if (!result) {
+                    fail(result.error());
+                    return;
+                }
+                m_texton.set(key, *result);
+                m_finishedTexton = *result;
+                show(*result);
+                update();
+            };
+        });
+}
+
+void Pipeline::cancelTexton() {
+    m_runner.cancel(JobKind::Texton);
+    // An unfinished texton belongs to the job: the last whole one comes back.
+    if (m_texton.value != m_finishedTexton) {
+        m_texton.value = m_finishedTexton;
+        emit textonChanged();
+        updateNoiseTexton();
+    }
+    emit stateChanged();
+}
+
+void Pipeline::recomputeTexton() {
+    ++m_attempt;
+    update();
+}
+
+void Pipeline::updateVerdict() {
+    if (!m_exemplar.value) {
+        m_runner.cancel(JobKind::Verdict);
+        if (m_verdict.value) {
+            m_verdict.clear();
+            emit verdictChanged();
+        }
+        return;
+    }
+    const auto key = m_exemplar.value;
+    if (!m_verdict.want(key) || m_verdict.made == key)
+        return;
+    m_runner.submit(
+        JobKind::Verdict,
+        tr("Judging the exemplar"),
+        [this, key](JobContext& context) -> Delivery {
+            auto result = assessSuitability(key->exemplar, key->model, context.token());
+            return [this, key, result = std::move(result)] {
+                // Without a verdict (a flat colour, say) the texton's job tells what is wrong.
+                m_verdict.set(key, result ? std::make_shared<const Suitability>(*result) : nullptr);
+                emit verdictChanged();
+            };
+        });
+}
+
+void Pipeline::setAnalysisWanted(bool wanted) {
+    m_analysisWanted = wanted;
+    if (wanted)
+        updateAnalysis();
+}
+
+void Pipeline::updateAnalysis() {
+    if (!m_exemplar.value) {
+        m_runner.cancel(JobKind::Analysis);
+        if (m_analysis.value) {
+            m_analysis.clear();
+            emit analysisChanged();
+        }
+        return;
+    }
+    if (!m_analysisWanted || !m_gaussian.value || !m_texton.value || !m_texton.value->finished)
+        return;
+    const NoiseSettings& noise = m_document.project().noise;
+    const AnalysisKey key{m_exemplar.value,
+                          m_gaussian.value,
+                          m_noiseTexton,
+                          noise.process,
+                          noise.meanImpacts,
+                          noise.seed};
+    if (!m_analysis.want(key) || m_analysis.made == key)
+        return;
+    m_runner.submit(JobKind::Analysis,
+                    tr("Measuring spectra"),
+                    [this, key](JobContext& context) -> Delivery {
+                        auto result =
+                            analyseAll(*key.exemplar,
+                                       *key.gaussian,
+                                       *key.texton,
+                                       {key.process, key.meanImpacts, key.seed, std::nullopt},
+                                       context);
+                        return [this, key, result = std::move(result)] {
+                            if (!result) {
+                                fail(result.error());
+                                return;
+                            }
+                            m_analysis.set(key, *result);
+                            emit analysisChanged();
+                        };
+                    });
+}
+
+void Pipeline::updateMesh() {
+    const NoiseSettings& noise = m_document.project().noise;
+    if (noise.scene != NoiseScene::Mesh && noise.scene != NoiseScene::Surface)
+        return;
+    const QString key = noise.mesh;
+    if (!m_mesh.want(key) || m_mesh.made == key)
+        return;
+    m_runner.submit(JobKind::Mesh, tr("Loading the mesh"), [this, key](JobContext&) -> Delivery {
+        auto builtin = builtinMesh(key.toStdString());
+        auto mesh = builtin ? Result<TriangleMesh>(std::move(*builtin))
+                            : loadMesh(QFile::encodeName(key).toStdString());
+        if (!mesh)
+            return [this, error = mesh.error()] { fail(error); };
+        auto shared = std::make_shared<const TriangleMesh>(std::move(*mesh));
+        return [this, key, shared = std::move(shared)] {
+            m_mesh.set(key, shared);
+            emit meshChanged();
+        };
+    });
+}
+
+void Pipeline::updateNoiseTexton() {
+    const NoiseSettings& noise = m_document.project().noise;
+    if (m_noiseTextonOf == m_texton.value && m_contrast == noise.contrast &&
+        m_brightness == noise.brightness)
+        return;
+    m_noiseTextonOf = m_texton.value;
+    m_contrast = noise.contrast;
+    m_brightness = noise.brightness;
+    m_noiseTexton = m_texton.value ? std::make_shared<const Texton>(
+                                         adjusted(m_texton.value->texton, m_contrast, m_brightness))
+                                   : nullptr;
+    emit noiseTextonChanged();
+}
+
+bool Pipeline::isStale(Picture picture) const {
+    const bool exemplar = m_exemplar.isStale();
+    switch (picture) {
+    case Picture::Exemplar:
+        return exemplar;
+    case Picture::Gaussian:
+        return exemplar || m_gaussian.isStale();
+    case Picture::Texton:
+    case Picture::Noise:
+        break;
+    }
+    return exemplar || m_texton.isStale();
+}
+
+} // namespace txn::app

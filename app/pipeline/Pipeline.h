@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/ProjectDocument.h"
+#include "app/jobs/JobRunner.h"
+#include "app/jobs/Results.h"
+#include "app/pipeline/Stage.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace txn::app {
+
+/// Hears of changes to the project, starts the jobs whose results they make stale, and keeps the
+/// newest results. What is stale stays on show until its successor comes. Interface thread.
+class Pipeline : public QObject {
+    Q_OBJECT
+
+  public:
+    Pipeline(ProjectDocument& document, JobRunner& runner, QObject* parent = nullptr);
+
+    // Null where there is nothing (yet).
+    std::shared_ptr<const ExemplarResult> exemplar() const { return m_exemplar.value; }
+    std::shared_ptr<const GaussianResult> gaussian() const { return m_gaussian.value; }
+    std::shared_ptr<const TextonResult> texton() const { return m_texton.value; }
+    std::shared_ptr<const Suitability> verdict() const { return m_verdict.value; }
+    std::shared_ptr<const AnalysisResult> analysis() const { return m_analysis.value; }
+    std::shared_ptr<const TriangleMesh> mesh() const { return m_mesh.value; }
+
+    /// texton() with the noise's contrast and brightness: what noise is made of, on screen and in
+    /// exports.
+    std::shared_ptr<const Texton> noiseTexton() const { return m_noiseTexton; }
+
+    /// Whether what is shown is not (yet) what the project asks for.
+    bool isStale(Picture picture) const;
+    bool isComputingTexton() const { return m_runner.isBusy(JobKind::Texton); }
+    /// Drops the texton on its way and goes back to the last finished one.
+    void cancelTexton();
+    /// After a cancel, or to see it form again.
+    void recomputeTexton();
+    /// The spectra are computed only while somebody looks at them.
+    void setAnalysisWanted(bool wanted);
+
+  signals:
+    void exemplarChanged();
+    void gaussianChanged();
+    void textonChanged();
+    void noiseTextonChanged();
+    void verdictChanged();
+    void analysisChanged();
+    void meshChanged();
+    /// Something began, ended, or got stale.
+    void stateChanged();
+    /// One line for the message bar.
+    void failed(const QString& message);
+
+  private:
+    void update();
+    void updateExemplar();
+    void updateGaussian();
+    void updateTexton();
+    void updateVerdict();
+    void updateAnalysis();
+    void updateMesh();
+    void updateNoiseTexton();
+    void fail(const Error& error);
+
+    struct ExemplarKey {
+        std::shared_ptr<const Source> source;
+        ExemplarEdit edit;
+        bool operator==(const ExemplarKey&) const = default;
+    };
+    struct GaussianKey {
+        std::shared_ptr<const ExemplarResult> exemplar;
+        GaussianSettings settings;
+        bool operator==(const GaussianKey&) const = default;
+    };
+    struct TextonKey {
+        std::shared_ptr<const ExemplarResult> exemplar;
+        std::shared_ptr<const TextonAsset> imported;
+        TextonSettings settings;
+        int attempt = 0; ///< so that the same texton can be asked for again
+        bool operator==(const TextonKey&) const = default;
+    };
+    struct AnalysisKey {
+        std::shared_ptr<const ExemplarResult> exemplar;
+        std::shared_ptr<const GaussianResult> gaussian;
+        std::shared_ptr<const Texton> texton;
+        NoiseProcess process{};
+        double meanImpacts = 0.0;
+        Seed seed;
+        bool operator==(const AnalysisKey&) const = default;
+    };
+
+    ProjectDocument& m_document;
+    JobRunner& m_runner;
+    QTimer m_updateSoon;
+
+    Stage<ExemplarKey, ExemplarResult> m_exemplar;
+    Stage<GaussianKey, GaussianResult> m_gaussian;
+    Stage<TextonKey, TextonResult> m_texton;
+    Stage<std::shared_ptr<const ExemplarResult>, Suitability> m_verdict;
+    Stage<AnalysisKey, AnalysisResult> m_analysis;
+    Stage<QString, TriangleMesh> m_mesh;
+    std::shared_ptr<const TextonResult> m_finishedTexton;
+    std::shared_ptr<const Texton> m_noiseTexton;
+    std::shared_ptr<const TextonResult> m_noiseTextonOf;
+    double m_contrast = 1.0;
+    double m_brightness = 0.0;
+    int m_attempt = 0;
+    bool m_analysisWanted = false;
+};
+
+} // namespace txn::app

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pipeline/Pipeline.h"
+#include "core/texton/ColorCorrection.h"
+#include "core/texton/TextonSolver.h"
+#include "tests/helpers/Verify.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace txn;
+using namespace txn::app;
+
+namespace {
+
+std::shared_ptr<const Source> sample(const QString& name = QStringLiteral("rust")) {
+    auto source = sampleSource(name);
+    return source ? *source : nullptr;
+}
+
+/// A document with its pipeline, small enough to compute at once.
+struct Studio {
+    ProjectDocument document;
+    JobRunner runner;
+    Pipeline pipeline{document, runner};
+
+    void open(const std::shared_ptr<const Source>& source) {
+        document.change("Open", [&](Project& project) {
+            project.source = source;
+            project.edit.crop = Rect{0, 0, {128, 96}};
+            project.texton.support = {16, 16};
+            project.texton.iterations = 20;
+        });
+    }
+    bool isDone() const {
+        return runner.isIdle() && pipeline.texton() && pipeline.texton()->finished &&
+               !pipeline.isStale(Picture::Noise) && !pipeline.isStale(Picture::Gaussian);
+    }
+};
+
+} // namespace
+
+class TestPipeline : public QObject {
+    Q_OBJECT
+
+    std::shared_ptr<const Source> m_rust;
+
+  private slots:
+    void initTestCase() {
+        m_rust = sample();
+        QVERIFY(m_rust);
+    }
+
+    void aPictureGoesThroughAllStages() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const auto exemplar = studio.pipeline.exemplar();
+        QCOMPARE(exemplar->exemplar.image.size(), (Size{128, 96}));
+        QCOMPARE(studio.pipeline.gaussian()->picture.image().size(), (Size{128, 96}));
+        QTRY_VERIFY(studio.pipeline.verdict() != nullptr);
+
+        // The texton is the one of the core, by the same settings.
+        auto solver =
+            TextonSolver::create(exemplar->model, textonParams(studio.document.project().texton));
+        TXN_OK(solver);
+        while (!solver->done())
+            solver->step();
+        const Texton expected = colorCorrected(solver->texton(), exemplar->model.covariance());
+        const auto texton = studio.pipeline.texton();
+        QVERIFY(texton->texton == expected);
+        QCOMPARE(texton->iteration, 20);
+        QCOMPARE(texton->curve.back().iteration, 20);
+        TXN_AT_MOST(std::abs(texton->relativeModelError - solver->relativeModelError(expected)),
+                    1e-12);
+        QVERIFY(*studio.pipeline.noiseTexton() == expected);
+    }
+
+    void onlyWhatIsStaleIsComputed() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const auto exemplar = studio.pipeline.exemplar();
+        const auto gaussian = studio.pipeline.gaussian();
+        const auto texton = studio.pipeline.texton();
+
+        studio.document.change("Impacts", [](Project& p) { p.noise.meanImpacts = 5.0; });
+        QTest::qWait(20);
+        QVERIFY(studio.runner.isIdle());
+        QCOMPARE(studio.pipeline.texton(), texton);
+
+        studio.document.change("Seed", [](Project& p) { p.gaussian.seed = Seed{9}; });
+        QTRY_VERIFY(studio.isDone() && studio.pipeline.gaussian() != gaussian);
+        QCOMPARE(studio.pipeline.exemplar(), exemplar);
+        QCOMPARE(studio.pipeline.texton(), texton);
+
+        studio.document.change("Support", [](Project& p) { p.texton.support = {12, 12}; });
+        QTRY_VERIFY(studio.isDone() && studio.pipeline.texton() != texton);
+        QCOMPARE(studio.pipeline.exemplar(), exemplar);
+        QCOMPARE(studio.pipeline.texton()->texton.support.size(), (Size{12, 12}));
+
+        studio.document.change("Crop", [](Project& p) { p.edit.crop = Rect{10, 10, {64, 64}}; });
+        QTRY_VERIFY(studio.isDone() && studio.pipeline.exemplar() != exemplar);
+        QCOMPARE(studio.pipeline.gaussian()->picture.image().size(), (Size{64, 64}));
+    }
+
+    void theLastValueOfADragWins() {
+        Studio studio;
+        studio.open(m_rust);
+        const Gesture drag = Gesture::next();
+        for (int side = 8; side <= 40; ++side) {
+            studio.document.change(
+                "Support",
+                [&](Project& p) {
+                    p.texton.support = {side, side};
+                },
+                drag);
+            QTest::qWait(3);
+            QVERIFY(studio.pipeline.isStale(Picture::Texton));
+        }
+        QTRY_VERIFY(studio.isDone());
+        QCOMPARE(studio.pipeline.texton()->texton.support.size(), (Size{40, 40}));
+    }
+
+    void undoBringsTheOldResultsBack() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const Texton before = studio.pipeline.texton()->texton;
+        studio.document.change("Iterations", [](Project& p) { p.texton.iterations = 3000; });
+        QTRY_VERIFY(studio.pipeline.isComputingTexton());
+        studio.document.undoStack().undo();
+        QTRY_VERIFY(studio.isDone());
+        QVERIFY(studio.pipeline.texton()->texton == before);
+    }
+
+    void cancelGoesBackToTheLastFinishedTexton() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const auto before = studio.pipeline.texton();
+        studio.document.change("Iterations", [](Project& p) { p.texton.iterations = 100000; });
+        QTRY_VERIFY(studio.pipeline.texton() != before); // an intermediate one
+        studio.pipeline.cancelTexton();
+        QCOMPARE(studio.pipeline.texton(), before);
+        QVERIFY(studio.pipeline.isStale(Picture::Texton));
+        QTRY_VERIFY_WITH_TIMEOUT(studio.runner.isIdle(), 1000);
+        QTest::qWait(50);
+        QCOMPARE(studio.pipeline.texton(), before);
+        // And on again, from the start.
+        studio.document.change("Iterations", [](Project& p) { p.texton.iterations = 10; });
+        QTRY_VERIFY(studio.isDone());
+        QCOMPARE(studio.pipeline.texton()->iteration, 10);
+        const auto first = studio.pipeline.texton();
+        studio.pipeline.recomputeTexton();
+        QTRY_VERIFY(studio.isDone() && studio.pipeline.texton() != first);
+        QVERIFY(studio.pipeline.texton()->texton == first->texton);
+    }
+
+    void contrastAndBrightnessNeedNoSolver() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const auto texton = studio.pipeline.texton();
+        studio.document.change("Contrast", [](Project& p) {
+            p.noise.contrast = 0.5;
+            p.noise.brightness = 0.1;
+        });
+        QTRY_VERIFY(*studio.pipeline.noiseTexton() != texton->texton);
+        QCOMPARE(studio.pipeline.texton(), texton);
+        const Texton& noise = *studio.pipeline.noiseTexton();
+        TXN_AT_MOST(std::abs(noise.mean[0] - texton->texton.mean[0] - 0.1), 1e-12);
+        TXN_AT_MOST(
+            std::abs(noise.kernels[0].at(3, 4, 1) - 0.5F * texton->texton.kernels[0].at(3, 4, 1)),
+            1e-7);
+    }
+
+    void whatFailsIsToldAndTheOldResultStays() {
+        Studio studio;
+        QSignalSpy failed(&studio.pipeline, &Pipeline::failed);
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const auto before = studio.pipeline.texton();
+        studio.document.change("Support", [](Project& p) { p.texton.support = {500, 500}; });
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed.first().first().toString().contains("support"));
+        QVERIFY(failed.first().first().toString().contains("rust.png"));
+        QCOMPARE(studio.pipeline.texton(), before);
+        QVERIFY(studio.pipeline.isStale(Picture::Texton));
+        studio.document.undoStack().undo();
+        QTRY_VERIFY(studio.isDone());
+        QCOMPARE(studio.pipeline.texton(), before);
+    }
+
+    void spectraAreMeasuredOnlyWhenSomebodyLooks() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        QVERIFY(!studio.pipeline.analysis());
+        studio.pipeline.setAnalysisWanted(true);
+        QTRY_VERIFY(studio.pipeline.analysis() != nullptr);
+        QCOMPARE(studio.pipeline.analysis()->exemplar.histograms.size(), std::size_t{3});
+    }
+
+    void meshesAreLoadedWhenShown() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        QVERIFY(!studio.pipeline.mesh());
+        studio.document.change("View", [](Project& p) { p.noise.scene = NoiseScene::Surface; });
+        QTRY_VERIFY(studio.pipeline.mesh() != nullptr);
+        const auto sphere = studio.pipeline.mesh();
+        QSignalSpy failed(&studio.pipeline, &Pipeline::failed);
+        studio.document.change("Mesh", [](Project& p) { p.noise.mesh = "/nowhere/pot.obj"; });
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed.first().first().toString().contains("pot.obj"));
+        QCOMPARE(studio.pipeline.mesh(), sphere);
+    }
+
+    void closingEmptiesEverything() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        studio.document.reset({}, {}, {});
+        QTRY_VERIFY(!studio.pipeline.texton());
+        QVERIFY(!studio.pipeline.exemplar() && !studio.pipeline.gaussian() &&
+                !studio.pipeline.noiseTexton() && !studio.pipeline.verdict());
+        QVERIFY(!studio.pipeline.isStale(Picture::Noise));
+    }
+
+    void aTextonFromAFileTakesThePlaceOfThePicture() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        auto asset = std::make_shared<TextonAsset>();
+        asset->texton = studio.pipeline.texton()->texton;
+        studio.document.change("Open", [&](Project& p) {
+            p.source.reset();
+            p.importedTexton = asset;
+        });
+        QTRY_VERIFY(studio.pipeline.texton() && studio.pipeline.texton()->imported);
+        QVERIFY(!studio.pipeline.exemplar());
+        QVERIFY(*studio.pipeline.noiseTexton() == asset->texton);
+        studio.document.undoStack().undo();
+        QTRY_VERIFY(studio.isDone() && !studio.pipeline.texton()->imported);
+        QVERIFY(studio.pipeline.exemplar() != nullptr);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPipeline)
+#include "TestPipeline.moc"
