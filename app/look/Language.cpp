@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/look/Language.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace txn::app {
+namespace {
+
+const QString kFolder = QStringLiteral(":/i18n");
+const QString kPrefix = QStringLiteral("txn_");
+
+} // namespace
+
+void installLanguage(QApplication& application, const QString& language) {
+    const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
+    QLocale::setDefault(locale);
+    QApplication::setLayoutDirection(locale.textDirection());
+    // Qt's own texts, such as those of file dialogs, first: ours are asked before them.
+    auto* standard = new QTranslator(&application);
+    if (standard->load(locale,
+                       QStringLiteral("qtbase"),
+                       QStringLiteral("_"),
+                       QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QApplication::installTranslator(standard);
+    auto* own = new QTranslator(&application);
+    if (own->load(locale, QStringLiteral("txn"), QStringLiteral("_"), kFolder))
+        QApplication::installTranslator(own);
+}
+
+QStringList availableLanguages() {
+    QStringList languages{QStringLiteral("en")};
+    for (const QString& file : QDir(kFolder).entryList({kPrefix + QStringLiteral("*.qm")})) {
+        const QString code = file.mid(kPrefix.size(), file.size() - kPrefix.size() - 3);
+        if (code != QLatin1String("en"))
+            languages.append(code);
+    }
+    return languages;
+}
+
+} // namespace txn::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+class QApplication;
+
+namespace txn::app {
+
+/// Texts, numbers and reading direction in the given language; empty: that of the system. Where
+/// there is no translation, English. Call before any window is made.
+void installLanguage(QApplication& application, const QString& language);
+
+/// Codes of the languages that there are translations for, English first.
+[[nodiscard]] QStringList availableLanguages();
+
+} // namespace txn::app

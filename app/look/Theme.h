@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/settings/Settings.h"
+
+#include <QColor>
+#include <QIcon>
+
+class QApplication;
+
+namespace txn::app {
+
+/// The colours by their roles, for whoever paints by hand.
+struct ThemeColors {
+    QColor window, panel, field, text, secondary, accent, stale, error, line;
+};
+[[nodiscard]] const ThemeColors& darkColors();
+[[nodiscard]] const ThemeColors& lightColors();
+/// Those in force, told from the application's palette.
+[[nodiscard]] const ThemeColors& themeColors();
+[[nodiscard]] QColor surroundColor(Surround surround);
+
+/// Palette, style and style sheet. May be called again at any time; System follows the desktop.
+void applyTheme(QApplication& application, ThemeChoice choice);
+
+/// Of resources/icons, such as "open": monochrome, in the colour of the text, crisp at any scale.
+[[nodiscard]] QIcon themeIcon(const QString& name);
+
+} // namespace txn::app

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/NoisePainter.h"
+
+#include "core/noise/NoiseGrid.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace txn::app {
+namespace {
+
+constexpr double kPieceMs = 20.0;
+constexpr int kColors = 3;
+/// A first guess, so that the first frame of a slow renderer does not keep anybody waiting.
+constexpr double kUnknownCost = 200.0;
+
+Size scaled(QSize size, double scale) {
+    return {std::max(1, static_cast<int>(std::lround(size.width() * scale))),
+            std::max(1, static_cast<int>(std::lround(size.height() * scale)))};
+}
+
+/// The same view on a picture of another resolution.
+View atScale(View view, double scale) {
+    if (auto* plane = std::get_if<PlaneView>(&view)) {
+        plane->zoom = std::max(plane->zoom * scale, PlaneView::kMinZoom);
+    } else if (auto* ground = std::get_if<GroundView>(&view)) {
+        ground->zoom = std::max(ground->zoom * scale, PlaneView::kMinZoom);
+    }
+    return view;
+}
+
+double shareOutside(const Image& image) {
+    const auto samples = image.samples();
+    const auto count = std::count_if(samples.begin(), samples.end(), [](float v) {
+        return !(v >= 0.0F && v <= 1.0F);
+    });
+    return static_cast<double>(count) / static_cast<double>(samples.size());
+}
+
+/// Texture fetches for one impact.
+double fetchesPerImpact(int order) {
+    return order <= 1 ? 1.0 : (order == 3 ? 4.0 : 9.0);
+}
+
+} // namespace
+
+NoisePainter::NoisePainter() {
+    auto context = HeadlessContext::create();
+    if (context) {
+        m_context = std::move(*context);
+        m_rendererName = m_context->gl().renderer();
+    } else {
+        m_problem = context.error().message;
+    }
+}
+
+void NoisePainter::loseContext() {
+    if (!m_context)
+        return;
+    // What lived in it is gone with it; the handles know.
+    m_context.reset();
+    m_target = {};
+    if (auto context = HeadlessContext::create()) {
+        m_context = std::move(*context);
+    } else {
+        m_rendererName.clear();
+        m_problem = context.error().message;
+    }
+}
+
+double& NoisePainter::nanosecondsPerPixel(const NoiseRequest& request) {
+    return m_cost[request.view.index()];
+}
+
+double NoisePainter::scaleFor(const NoiseRequest& request, double milliseconds) const {
+    const double known = m_cost[request.view.index()];
+    const double cost =
+        (known > 0.0 ? known : kUnknownCost) * request.size.width() * request.size.height() / 1e6;
+    constexpr double kCoarsest = 1.0 / 8.0;
+    return cost <= milliseconds ? 1.0 : std::max(kCoarsest, std::sqrt(milliseconds / cost));
+}
+
+Result<std::optional<NoiseFrame>>
+NoisePainter::draw(const NoiseRequest& request, double scale, const std::function<bool()>& stop) {
+    using Clock = std::chrono::steady_clock;
+    if (request.texton != m_texton) {
+        m_texton = request.texton;
+        m_shownTexton = m_texton->channels() <= kColors
+                            ? m_texton
+                            : std::make_shared<const Texton>(firstChannels(*m_texton, kColors));
+    }
+    const Size size = scaled(request.size, scale);
+    const auto start = Clock::now();
+    auto image =
+        m_context ? drawOnCard(request, size, scale, stop) : drawOnProcessor(request, size, scale);
+    if (!image)
+        return image.error();
+    if (!*image)
+        return std::optional<NoiseFrame>();
+    const double nanoseconds =
+        std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+    double& cost = nanosecondsPerPixel(request);
+    const double now = nanoseconds / static_cast<double>(size.area());
+    cost = cost > 0.0 ? 0.7 * cost + 0.3 * now : now;
+
+    NoiseFrame frame;
+    frame.image = toQImage(**image, request.display);
+    frame.clippedShare = shareOutside(**image);
+    frame.samples = std::make_shared<const Image>(std::move(**image));
+    frame.request = request;
+    frame.onProcessor = !m_context;
+    frame.milliseconds = nanoseconds / 1e6;
+    frame.fetchesPerPixel =
+        request.style.noise.meanImpacts * fetchesPerImpact(request.texton->interpolationOrder);
+    return std::optional<NoiseFrame>(std::move(frame));
+}
+
+Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& request,
+                                                      Size size,
+                                                      double scale,
+                                                      const std::function<bool()>& stop) {
+    const GlContext& gl = m_context->gl();
+    if (!m_target || m_target.size() != size) {
+        m_target = {};
+        auto target = OffscreenTarget::create(gl, size);
+        if (!target)
+            return target.error();
+        m_target = std::move(*target);
+    }
+    m_renderer.setTexton(m_shownTexton);
+    const View view = atScale(request.view, scale);
+    if (std::holds_alternative<MeshView>(view) && request.mesh != m_mesh) {
+        m_renderer.setMesh(request.mesh);
+        m_mesh = request.mesh;
+    }
+    const double known = m_cost[view.index()] > 0.0 ? m_cost[view.index()] : kUnknownCost;
+    const int rows =
+        std::clamp(static_cast<int>(kPieceMs * 1e6 / (known * size.width)), 16, size.height);
+    for (int y = 0; y < size.height; y += rows) {
+        if (y > 0 && stop())
+            return std::optional<Image>();
+        const int count = std::min(rows, size.height - y);
+        const Rect piece{0, y, {size.width, count}};
+        if (auto ok = m_renderer.draw(gl, view, request.style, m_target, piece); !ok)
+            return ok.error();
+        m_context->finish();
+    }
+    return std::optional<Image>(m_target.read(m_shownTexton->channels(), m_shownTexton->transfer));
+}
+
+Result<std::optional<Image>>
+NoisePainter::drawOnProcessor(const NoiseRequest& request, Size size, double scale) {
+    // Other views need OpenGL: the plane stands in for them.
+    PlaneView plane;
+    if (const auto* asked = std::get_if<PlaneView>(&request.view))
+        plane = *asked;
+    const double zoom = std::clamp(plane.zoom * scale, NoiseGrid::kMinScale, NoiseGrid::kMaxScale);
+    auto grid = NoiseGrid::create(*m_shownTexton, request.style.noise, zoom);
+    if (!grid)
+        return grid.error();
+    const Rect rect{std::llround(plane.centerX * zoom - size.width / 2.0),
+                    std::llround(plane.centerY * zoom - size.height / 2.0),
+                    size};
+    auto image = grid->render(rect);
+    if (!image)
+        return image.error();
+    return std::optional<Image>(std::move(*image));
+}
+
+} // namespace txn::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/views/NoiseFrame.h"
+#include "gl/HeadlessContext.h"
+#include "gl/NoiseRenderer.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace txn::app {
+
+/// Draws requests, by OpenGL or, without it, on the processor. All on one thread.
+class NoisePainter {
+  public:
+    NoisePainter();
+
+    const std::string& renderer() const { return m_rendererName; }
+    const std::string& problem() const { return m_problem; }
+    void loseContext();
+
+    /// How much smaller than asked for a picture should be to be drawn in the given time, 1 or
+    /// less; told from what the last ones of its kind took.
+    double scaleFor(const NoiseRequest& request, double milliseconds) const;
+
+    /// A frame of scale times the request's size, not yet marked as complete. stop is asked between
+    /// pieces of some 20 ms; nothing if it says so. Errors: those of NoiseRenderer and NoiseGrid.
+    [[nodiscard]] Result<std::optional<NoiseFrame>>
+    draw(const NoiseRequest& request, double scale, const std::function<bool()>& stop);
+
+  private:
+    Result<std::optional<Image>> drawOnCard(const NoiseRequest& request,
+                                            Size size,
+                                            double scale,
+                                            const std::function<bool()>& stop);
+    Result<std::optional<Image>>
+    drawOnProcessor(const NoiseRequest& request, Size size, double scale);
+    double& nanosecondsPerPixel(const NoiseRequest& request);
+
+    std::optional<HeadlessContext> m_context;
+    NoiseRenderer m_renderer;
+    OffscreenTarget m_target;
+    std::string m_rendererName;
+    std::string m_problem;
+    std::shared_ptr<const Texton> m_texton;      ///< as requested
+    std::shared_ptr<const Texton> m_shownTexton; ///< its first channels
+    std::shared_ptr<const TriangleMesh> m_mesh;
+    std::array<double, 3> m_cost{}; ///< nanoseconds per pixel by the kind of view; 0: not known yet
+};
+
+} // namespace txn::app

@@ -1,0 +1,515 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/PictureView.h"
+
+#include "app/look/Theme.h"
+#include "app/pipeline/Pipeline.h"
+#include "app/settings/Settings.h"
+#include "app/views/ViewCamera.h"
+#include "core/image/ColorTransfer.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace txn::app {
+namespace {
+
+constexpr int kTitleHeight = 24;
+constexpr int kWipeGrab = 6;
+constexpr double kOrbitPerPixel = 0.008;
+constexpr double kWheelStep = 1.189207115002721; // 2^(1/4)
+constexpr double kHighestPitch = 1.55;
+constexpr int kDifferenceGain = 8;
+
+const PicturePyramid* pyramidOf(const Pipeline& pipeline, Picture picture) {
+    switch (picture) {
+    case Picture::Exemplar:
+        return pipeline.exemplar() ? &pipeline.exemplar()->picture : nullptr;
+    case Picture::Gaussian:
+        return pipeline.gaussian() ? &pipeline.gaussian()->picture : nullptr;
+    case Picture::Texton:
+        return pipeline.texton() ? &pipeline.texton()->picture : nullptr;
+    case Picture::Noise:
+        break;
+    }
+    return nullptr;
+}
+
+QString nameOf(Picture picture) {
+    switch (picture) {
+    case Picture::Exemplar:
+        return PictureView::tr("Exemplar");
+    case Picture::Gaussian:
+        return PictureView::tr("Gaussian version");
+    case Picture::Texton:
+        return PictureView::tr("Texton");
+    case Picture::Noise:
+        break;
+    }
+    return PictureView::tr("Noise");
+}
+
+/// a - b, eight times, around mid grey; where either is missing, mid grey.
+QImage difference(const QImage& a, const QImage& b) {
+    QImage result(a.size(), QImage::Format_ARGB32_Premultiplied);
+    const auto byte = [](int x, int y) {
+        return std::clamp(128 + kDifferenceGain * (x - y), 0, 255);
+    };
+    for (int y = 0; y < a.height(); ++y) {
+        const auto* p = reinterpret_cast<const QRgb*>(a.constScanLine(y));
+        const auto* q = reinterpret_cast<const QRgb*>(b.constScanLine(y));
+        auto* out = reinterpret_cast<QRgb*>(result.scanLine(y));
+        for (int x = 0; x < a.width(); ++x)
+            out[x] = qAlpha(p[x]) == 0 || qAlpha(q[x]) == 0 ? qRgb(128, 128, 128)
+                                                            : qRgb(byte(qRed(p[x]), qRed(q[x])),
+                                                                   byte(qGreen(p[x]), qGreen(q[x])),
+                                                                   byte(qBlue(p[x]), qBlue(q[x])));
+    }
+    return result;
+}
+
+} // namespace
+
+PictureView::PictureView(ProjectDocument& document,
+                         Pipeline& pipeline,
+                         NoiseService& noise,
+                         Settings& settings,
+                         int place,
+                         QWidget* parent)
+    : QWidget(parent), m_document(document), m_pipeline(pipeline), m_settings(settings),
+      m_feed(new NoiseFeed(noise, this)), m_place(place) {
+    setObjectName(QStringLiteral("view%1").arg(place));
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    buildTitle();
+    connect(m_feed, &NoiseFeed::frameReady, this, [this] {
+        update();
+        emit noiseFrameShown(m_feed->frame());
+        const QLocale locale;
+        m_info->setText(tr("%1 fps").arg(
+            locale.toString(1000.0 / std::max(m_feed->frame().milliseconds, 0.1), 'f', 0)));
+    });
+    connect(m_feed, &NoiseFeed::failed, this, &PictureView::problem);
+    connect(&m_document, &ProjectDocument::projectChanged, this, &PictureView::refresh);
+    connect(&m_document, &ProjectDocument::viewChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::exemplarChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::gaussianChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::textonChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::noiseTextonChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::meshChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::stateChanged, this, &PictureView::refresh);
+    refresh();
+}
+
+void PictureView::buildTitle() {
+    m_title = new QWidget(this);
+    m_title->setObjectName(QStringLiteral("viewTitle"));
+    m_title->installEventFilter(this);
+    m_chooser = new QComboBox;
+    m_chooser->setObjectName(QStringLiteral("viewPicture%1").arg(m_place));
+    m_chooser->setAccessibleName(tr("Picture in this view"));
+    m_chooser->setToolTip(tr("What this view shows."));
+    m_chooser->setFrame(false);
+    m_chooser->setFocusPolicy(Qt::TabFocus);
+    for (const Picture each : kPictures)
+        m_chooser->addItem(nameOf(each));
+    connect(m_chooser, &QComboBox::activated, this, [this](int index) {
+        emit pictureChosen(kPictures[static_cast<std::size_t>(index)]);
+    });
+    m_stale = new QLabel(QStringLiteral("\u25cf"));
+    m_stale->setProperty("role", QStringLiteral("stale"));
+    m_stale->setToolTip(tr("This is still an older result; the new one is being computed."));
+    m_info = new QLabel;
+    m_info->setProperty("role", QStringLiteral("secondary"));
+    auto* row = new QHBoxLayout(m_title);
+    row->setContentsMargins(4, 0, 8, 0);
+    row->setSpacing(4);
+    row->addWidget(m_chooser);
+    row->addWidget(m_stale);
+    row->addStretch();
+    row->addWidget(m_info);
+}
+
+Picture PictureView::picture() const {
+    return m_document.view().shown[static_cast<std::size_t>(m_place)];
+}
+
+void PictureView::setSecond(std::optional<Picture> second) {
+    if (m_second == second)
+        return;
+    m_second = second;
+    refresh();
+}
+
+void PictureView::setFlipped(bool flipped) {
+    m_flipped = flipped;
+    update();
+}
+
+void PictureView::setDifference(bool difference) {
+    m_difference = difference;
+    update();
+}
+
+QRect PictureView::area() const {
+    return rect().adjusted(0, kTitleHeight, 0, 0);
+}
+
+QSize PictureView::screen() const {
+    const double ratio = devicePixelRatioF();
+    return {static_cast<int>(std::lround(area().width() * ratio)),
+            static_cast<int>(std::lround(area().height() * ratio))};
+}
+
+Size PictureView::sizeOf(Picture picture) const {
+    const PicturePyramid* pyramid = pyramidOf(m_pipeline, picture);
+    return pyramid != nullptr ? pyramid->image().size() : Size{};
+}
+
+Size PictureView::referenceSize() const {
+    const Size exemplar = sizeOf(Picture::Exemplar);
+    return exemplar.width > 0 ? exemplar : Size{512, 512};
+}
+
+bool PictureView::orbits() const {
+    return picture() == Picture::Noise && m_document.project().noise.scene != NoiseScene::Plane;
+}
+
+void PictureView::refresh() {
+    m_chooser->setCurrentIndex(static_cast<int>(picture()));
+    m_chooser->setVisible(!m_second);
+    m_stale->setVisible(m_pipeline.isStale(picture()) ||
+                        (m_second && m_pipeline.isStale(*m_second)));
+    const bool noise = picture() == Picture::Noise || m_second == Picture::Noise;
+    m_info->setVisible(noise && m_pipeline.noiseTexton());
+    setAccessibleName(nameOf(picture()));
+    requestNoise();
+    update();
+}
+
+void PictureView::requestNoise() {
+    NoiseRequest request;
+    if ((picture() == Picture::Noise || m_second == Picture::Noise) && isVisible()) {
+        const Project& project = m_document.project();
+        const ViewState& view = m_document.view();
+        request.texton = m_pipeline.noiseTexton();
+        const bool onMesh =
+            project.noise.scene == NoiseScene::Mesh || project.noise.scene == NoiseScene::Surface;
+        if (onMesh)
+            request.mesh = m_pipeline.mesh();
+        const double radius =
+            request.mesh ? static_cast<double>(boundingSphere(*request.mesh).radius) : 1.0;
+        request.style.noise.process = project.noise.process;
+        request.style.noise.meanImpacts = project.noise.meanImpacts;
+        request.style.noise.seed = project.noise.seed;
+        request.style.filter = project.noise.filter;
+        request.view = noiseView(view, project.noise, radius);
+        request.size = screen();
+        request.display = {view.exposure, view.channel};
+    }
+    m_feed->request(request);
+}
+
+QImage PictureView::drawnNoise() {
+    const NoiseFrame& frame = m_feed->frame();
+    QImage result(screen(), QImage::Format_ARGB32_Premultiplied);
+    result.fill(Qt::transparent);
+    if (frame.image.isNull() || !m_pipeline.noiseTexton())
+        return result;
+    QPainter painter(&result);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    QRectF place(QPointF(0, 0), QSizeF(screen()));
+    const auto* then = std::get_if<PlaneView>(&frame.request.view);
+    const View present = noiseView(m_document.view(), m_document.project().noise, 1.0);
+    if (const auto* now = std::get_if<PlaneView>(&present); now != nullptr && then != nullptr) {
+        // Until the new frame is there, the old one moves along.
+        const double ratio = now->zoom / then->zoom;
+        const QSizeF size = QSizeF(frame.request.size) * ratio;
+        const QPointF middle(place.width() / 2.0 + (then->centerX - now->centerX) * now->zoom,
+                             place.height() / 2.0 + (then->centerY - now->centerY) * now->zoom);
+        place = QRectF(middle - QPointF(size.width() / 2.0, size.height() / 2.0), size);
+    }
+    painter.drawImage(place, frame.image);
+    return result;
+}
+
+QImage PictureView::drawn(Picture picture) {
+    if (picture == Picture::Noise)
+        return drawnNoise();
+    const ViewState& view = m_document.view();
+    const PicturePyramid* pyramid = pyramidOf(m_pipeline, picture);
+    if (pyramid == nullptr) {
+        QImage nothing(screen(), QImage::Format_ARGB32_Premultiplied);
+        nothing.fill(Qt::transparent);
+        return nothing;
+    }
+    PictureWindow window = pictureWindow(view, screen(), pyramid->image().size());
+    window.tiled = view.tiled && picture != Picture::Texton;
+    return pyramid->draw(window, {view.exposure, view.channel});
+}
+
+double PictureView::wipeX() const {
+    return m_document.view().wipe * area().width();
+}
+
+QImage PictureView::composed() {
+    const Picture first = m_flipped ? Picture::Exemplar : picture();
+    QImage image = drawn(first);
+    if (m_difference && first != Picture::Exemplar)
+        return difference(image, drawn(Picture::Exemplar));
+    if (!m_second || m_flipped)
+        return image;
+    const int border = static_cast<int>(std::lround(wipeX() * devicePixelRatioF()));
+    const QImage second = drawn(*m_second);
+    QPainter painter(&image);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.drawImage(border, 0, second, border, 0, second.width() - border, second.height());
+    return image;
+}
+
+QImage PictureView::grabPicture() {
+    return composed();
+}
+
+void PictureView::paintHint(QPainter& painter) {
+    QString hint;
+    const auto& source = m_document.project().source;
+    if (source && !source->sample.isEmpty() && picture() == Picture::Exemplar && !m_flipped)
+        hint = tr("Drop a photo here");
+    else if (!m_document.project().source && !m_document.project().importedTexton)
+        hint = picture() == Picture::Exemplar ? tr("Drop a photo here") : QString();
+    else if (m_document.project().importedTexton && picture() == Picture::Exemplar)
+        hint = tr("A texton from a file has no exemplar");
+    else if (m_document.project().importedTexton && picture() == Picture::Gaussian)
+        hint = tr("A texton from a file has no Gaussian version");
+    if (hint.isEmpty())
+        return;
+    const QRect text = painter.fontMetrics().boundingRect(hint).adjusted(-12, -8, 12, 8);
+    QRect box(QPoint(0, 0), text.size());
+    box.moveCenter(area().center());
+    if (source) // out of the way of the sample
+        box.moveBottom(area().bottom() - 12);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 150));
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, hint);
+}
+
+void PictureView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(QRect(0, 0, width(), kTitleHeight), themeColors().panel);
+    painter.fillRect(area(), surroundColor(m_settings.surround()));
+    QImage image = composed();
+    image.setDevicePixelRatio(devicePixelRatioF());
+    painter.drawImage(area().topLeft(), image);
+    if (m_second && !m_flipped) {
+        const int x = static_cast<int>(std::lround(wipeX()));
+        painter.fillRect(QRect(x, area().top(), 1, area().height()), Qt::white);
+        const QFontMetrics metrics = painter.fontMetrics();
+        const auto label = [&](const QString& text, int left) {
+            const QRect box(left, area().bottom() - 28, metrics.horizontalAdvance(text) + 16, 22);
+            painter.fillRect(box, QColor(0, 0, 0, 150));
+            painter.setPen(Qt::white);
+            painter.drawText(box, Qt::AlignCenter, text);
+        };
+        label(nameOf(picture()), 8);
+        const QString second = nameOf(*m_second);
+        label(second, width() - 24 - metrics.horizontalAdvance(second));
+    }
+    paintHint(painter);
+    if (hasFocus()) {
+        painter.setPen(themeColors().accent);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void PictureView::resizeEvent(QResizeEvent*) {
+    m_title->setGeometry(0, 0, width(), kTitleHeight);
+    requestNoise();
+}
+
+bool PictureView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_title && event->type() == QEvent::MouseButtonDblClick) {
+        emit titleDoubleClicked();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void PictureView::mousePressEvent(QMouseEvent* event) {
+    m_last = event->position();
+    const bool left = event->button() == Qt::LeftButton;
+    if (m_second && left && std::abs(event->position().x() - wipeX()) <= kWipeGrab)
+        m_drag = Drag::Wipe;
+    else if (event->button() == Qt::MiddleButton || (left && m_space))
+        m_drag = Drag::Pan;
+    else if (left && orbits())
+        m_drag = Drag::Orbit;
+    if (m_drag == Drag::Pan)
+        setCursor(Qt::ClosedHandCursor);
+}
+
+void PictureView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF distance = event->position() - m_last;
+    m_last = event->position();
+    switch (m_drag) {
+    case Drag::Pan:
+        m_document.changeView([&](ViewState& view) { pan(view, distance * devicePixelRatioF()); });
+        break;
+    case Drag::Orbit:
+        m_document.changeView([&](ViewState& view) {
+            view.yaw = std::remainder(view.yaw - distance.x() * kOrbitPerPixel, 2.0 * M_PI);
+            view.pitch = std::clamp(
+                view.pitch + distance.y() * kOrbitPerPixel,
+                m_document.project().noise.scene == NoiseScene::Perspective ? 0.02 : -kHighestPitch,
+                kHighestPitch);
+        });
+        break;
+    case Drag::Wipe:
+        m_document.changeView([&](ViewState& view) {
+            view.wipe = std::clamp(event->position().x() / std::max(1, area().width()), 0.0, 1.0);
+        });
+        break;
+    case Drag::None:
+        setCursor(m_second && std::abs(event->position().x() - wipeX()) <= kWipeGrab
+                      ? Qt::SplitHCursor
+                  : m_space ? Qt::OpenHandCursor
+                            : Qt::ArrowCursor);
+        break;
+    }
+    probe(event->position());
+}
+
+void PictureView::mouseReleaseEvent(QMouseEvent*) {
+    m_drag = Drag::None;
+    unsetCursor();
+}
+
+void PictureView::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps == 0.0)
+        return;
+    const double factor = std::pow(kWheelStep, steps);
+    const bool onMesh = orbits() && m_document.project().noise.scene != NoiseScene::Perspective;
+    const QPointF point = (event->position() - QPointF(area().topLeft())) * devicePixelRatioF();
+    m_document.changeView([&](ViewState& view) {
+        if (onMesh)
+            view.distance = std::clamp(view.distance / factor, 0.2, 20.0);
+        else
+            zoomAt(view, screen(), point, factor);
+    });
+    event->accept();
+}
+
+void PictureView::zoomBy(double factor) {
+    QPointF point = QPointF(mapFromGlobal(QCursor::pos())) - QPointF(area().topLeft());
+    if (!underMouse())
+        point = QPointF(area().width() / 2.0, area().height() / 2.0);
+    m_document.changeView(
+        [&](ViewState& view) { zoomAt(view, screen(), point * devicePixelRatioF(), factor); });
+}
+
+void PictureView::leaveEvent(QEvent*) {
+    emit probeLeft();
+}
+
+void PictureView::keyPressEvent(QKeyEvent* event) {
+    constexpr double kStep = 40.0;
+    const auto move = [&](double x, double y) {
+        m_document.changeView([&](ViewState& view) { pan(view, QPointF(x, y)); });
+    };
+    switch (event->key()) {
+    case Qt::Key_Space:
+        m_space = true;
+        setCursor(Qt::OpenHandCursor);
+        return;
+    case Qt::Key_Left:
+        move(kStep, 0.0);
+        return;
+    case Qt::Key_Right:
+        move(-kStep, 0.0);
+        return;
+    case Qt::Key_Up:
+        move(0.0, kStep);
+        return;
+    case Qt::Key_Down:
+        move(0.0, -kStep);
+        return;
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void PictureView::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        m_space = false;
+        unsetCursor();
+        return;
+    }
+    QWidget::keyReleaseEvent(event);
+}
+
+void PictureView::probe(QPointF position) {
+    const QPointF point = (position - QPointF(area().topLeft())) * devicePixelRatioF();
+    Picture picture = this->picture();
+    if (m_second && position.x() >= wipeX())
+        picture = *m_second;
+    const Image* image = nullptr;
+    QPointF place;
+    int sampleX = 0;
+    int sampleY = 0;
+    if (picture == Picture::Noise) {
+        const NoiseFrame& frame = m_feed->frame();
+        if (!frame.samples || frame.request.size != screen())
+            return;
+        image = frame.samples.get();
+        place = pictureAt(m_document.view(), screen(), referenceSize(), point);
+        sampleX = static_cast<int>(point.x() * image->width() / screen().width());
+        sampleY = static_cast<int>(point.y() * image->height() / screen().height());
+    } else {
+        const PicturePyramid* pyramid = pyramidOf(m_pipeline, picture);
+        if (pyramid == nullptr)
+            return;
+        image = &pyramid->image();
+        place = pictureAt(m_document.view(), screen(), image->size(), point);
+        sampleX = static_cast<int>(std::floor(place.x()));
+        sampleY = static_cast<int>(std::floor(place.y()));
+        if (m_document.view().tiled && picture != Picture::Texton) {
+            sampleX = ((sampleX % image->width()) + image->width()) % image->width();
+            sampleY = ((sampleY % image->height()) + image->height()) % image->height();
+        }
+    }
+    ProbeInfo info;
+    info.x = static_cast<int>(std::floor(place.x()));
+    info.y = static_cast<int>(std::floor(place.y()));
+    if (sampleX >= 0 && sampleY >= 0 && sampleX < image->width() && sampleY < image->height()) {
+        for (int c = 0; c < image->channels(); ++c) {
+            const float v = image->at(sampleX, sampleY, c);
+            const bool linear = image->transfer() == Transfer::Linear;
+            info.encoded.push_back(static_cast<double>(linear ? encodedFromLinear(v) : v));
+            info.linear.push_back(static_cast<double>(linear ? v : linearFromEncoded(v)));
+        }
+        const std::size_t count = info.encoded.size();
+        if (count == 1 || count == 3) {
+            const auto byte = [&](std::size_t c) {
+                return static_cast<int>(std::lround(
+                    std::clamp(info.encoded[std::min(c, count - 1)], 0.0, 1.0) * 255.0));
+            };
+            info.hex = QColor(byte(0), byte(1), byte(2)).name().toUpper();
+        }
+    }
+    emit probed(info);
+}
+
+} // namespace txn::app

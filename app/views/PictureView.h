@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/ProjectDocument.h"
+#include "app/views/NoiseService.h"
+
+#include <QWidget>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+
+namespace txn::app {
+
+class Pipeline;
+class Settings;
+
+/// The values of one pixel of a picture.
+struct ProbeInfo {
+    int x = 0; ///< in pixels of the picture
+    int y = 0;
+    std::vector<double> encoded; ///< one per channel; empty outside the picture
+    std::vector<double> linear;
+    QString hex; ///< such as "#B6A890"; empty for other than one or three channels
+};
+
+/// One place of the view area: shows one of the four pictures, or two with a border between them,
+/// through the document's one camera. Draws nothing but its own pixels; noise comes from a
+/// NoiseFeed.
+class PictureView : public QWidget {
+    Q_OBJECT
+
+  public:
+    PictureView(ProjectDocument& document,
+                Pipeline& pipeline,
+                NoiseService& noise,
+                Settings& settings,
+                int place,
+                QWidget* parent = nullptr);
+
+    Picture picture() const;
+    /// A second picture, right of a border that can be dragged.
+    void setSecond(std::optional<Picture> second);
+    /// While on, the exemplar takes the picture's place.
+    void setFlipped(bool flipped);
+    /// While on, the difference to the exemplar, times 8, around mid grey.
+    void setDifference(bool difference);
+
+    /// Of the picture area, in device pixels.
+    QSize screen() const;
+    void zoomBy(double factor); ///< at the mouse, or else in the middle
+    const NoiseFrame& noiseFrame() const { return m_feed->frame(); }
+    /// What is seen, without border and title.
+    QImage grabPicture();
+
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+  signals:
+    void probed(const ProbeInfo& info);
+    void probeLeft();
+    void noiseFrameShown(const NoiseFrame& frame);
+    /// The artist chose another picture for this place.
+    void pictureChosen(Picture picture);
+    void titleDoubleClicked();
+    void problem(const QString& message);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    enum class Drag { None, Pan, Orbit, Wipe };
+
+    void buildTitle();
+    void refresh();
+    void requestNoise();
+    QRect area() const;
+    QImage drawn(Picture picture);
+    QImage drawnNoise();
+    QImage composed();
+    void paintHint(QPainter& painter);
+    Size referenceSize() const;
+    Size sizeOf(Picture picture) const;
+    bool orbits() const;
+    void probe(QPointF position);
+    double wipeX() const;
+
+    ProjectDocument& m_document;
+    Pipeline& m_pipeline;
+    Settings& m_settings;
+    NoiseFeed* m_feed;
+    int m_place;
+    std::optional<Picture> m_second;
+    bool m_flipped = false;
+    bool m_difference = false;
+    bool m_space = false;
+    Drag m_drag = Drag::None;
+    QPointF m_last;
+
+    QWidget* m_title = nullptr;
+    QComboBox* m_chooser = nullptr;
+    QLabel* m_info = nullptr;
+    QLabel* m_stale = nullptr;
+};
+
+} // namespace txn::app

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/NoiseService.h"
+#include "core/mesh/BuiltinMeshes.h"
+#include "gl/HeadlessContext.h"
+#include "tests/helpers/Gl.h"
+#include "tests/helpers/Textons.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace txn;
+using namespace txn::app;
+using namespace txn::test;
+
+/// On a machine whose OpenGL is too old; a program of its own, since drivers look only once.
+class TestNoGl : public QObject {
+    Q_OBJECT
+
+    std::shared_ptr<const Texton> m_texton = shared(makeTexton({}));
+
+    NoiseRequest request(const View& view) const {
+        NoiseRequest request;
+        request.texton = m_texton;
+        request.mesh = std::make_shared<const TriangleMesh>(planeMesh(2));
+        request.view = view;
+        request.size = {90, 60};
+        return request;
+    }
+
+  private slots:
+    void initTestCase() {
+        qputenv("MESA_GL_VERSION_OVERRIDE", "2.1");
+        if (HeadlessContext::create())
+            QSKIP("this driver cannot be made to look old");
+    }
+
+    void theProcessorDrawsAndTheProblemIsTold() {
+        NoiseService service;
+        QSignalSpy ready(&service, &NoiseService::ready);
+        NoiseFeed feed(service);
+        for (const View& view : {View(PlaneView{}), View(GroundView{}), View(MeshView{})}) {
+            feed.request(request(view));
+            QTRY_VERIFY(feed.frame().complete && feed.frame().request.view == view);
+            QVERIFY(feed.frame().onProcessor);
+            QCOMPARE(feed.frame().image.size(), QSize(90, 60));
+            QVERIFY(feed.frame().image.pixel(10, 10) != feed.frame().image.pixel(50, 40));
+        }
+        QCOMPARE(ready.count(), 1);
+        QVERIFY(service.renderer().isEmpty());
+        QVERIFY(service.problem().contains("OpenGL"));
+    }
+};
+
+QTEST_MAIN(TestNoGl)
+#include "TestNoGl.moc"
