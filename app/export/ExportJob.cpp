@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/ExportJob.h"
+
+#include "app/export/EngineExport.h"
+#include "core/bake/Bake.h"
+#include "core/base/OutputFiles.h"
+#include "core/export/Exporter.h"
+
+#include <QBuffer>
+#include <QElapsedTimer>
+#include <QFile>
+
+namespace txn::app {
+namespace {
+
+std::filesystem::path toPath(const QString& name) {
+    return {QFile::encodeName(name).toStdString()};
+}
+
+NoiseParams noiseParams(const NoiseSettings& noise) {
+    return {noise.process, noise.meanImpacts, noise.seed, std::nullopt};
+}
+
+Result<void> writeTexton(const QStringList& files, const ExportSnapshot& snapshot) {
+    std::vector<std::filesystem::path> paths;
+    for (const QString& file : files) {
+        if (!file.endsWith(QLatin1String(".json")))
+            paths.push_back(toPath(file));
+    }
+    if (paths.empty())
+        return Error{ErrorCode::InvalidArgument, "choose at least one kind of file"};
+    auto written = saveTexton(snapshot.asset, paths);
+    return written ? Result<void>() : written.error();
+}
+
+Result<double> writeNoise(const QString& file,
+                          const ExportPlan& plan,
+                          const ExportSnapshot& snapshot,
+                          JobContext& context) {
+    const double scale = snapshot.noise.scale;
+    NoiseParams params = noiseParams(snapshot.noise);
+    if (plan.tileable)
+        params.period = Period{plan.size.width / scale, plan.size.height / scale};
+    const auto grid = NoiseGrid::create(snapshot.asset.texton, params, scale);
+    if (!grid)
+        return grid.error();
+    SaveOptions options;
+    options.sampleFormat = plan.depth;
+    const Rect rect{plan.tileable ? 0 : plan.originX, plan.tileable ? 0 : plan.originY, plan.size};
+    const auto report = bake(
+        *grid,
+        rect,
+        toPath(file),
+        options,
+        [&](double share) { context.setProgress(share); },
+        context.token());
+    if (!report)
+        return report.error();
+    return report->clippedShare;
+}
+
+Result<void> writeView(const QString& file, const QImage& view) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (view.isNull() || !buffer.open(QIODevice::WriteOnly) ||
+        !view.convertToFormat(QImage::Format_RGB32).save(&buffer, "PNG"))
+        return Error{ErrorCode::InvalidArgument, "there is no noise on screen to save"};
+    OutputFiles output;
+    if (auto ok = output.addText(toPath(file),
+                                 {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        !ok)
+        return ok.error();
+    return output.commit();
+}
+
+/// files: as of exportFiles for engines.
+Result<void>
+writeEngine(const QStringList& files, const ExportPlan& plan, const ExportSnapshot& snapshot) {
+    const Texton& texton = snapshot.asset.texton;
+    const NoiseParams noise = noiseParams(snapshot.noise);
+    auto shader = engineShader(texton, noise);
+    if (!shader)
+        return shader.error();
+    auto example = engineExample(texton, exportName(plan, snapshot).toStdString());
+    if (!example)
+        return example.error();
+    OutputFiles output;
+    const std::array texts{std::move(*shader),
+                           kernelTexels(texton),
+                           engineParameters(texton, noise),
+                           std::move(*example)};
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (auto ok = output.addText(toPath(files[static_cast<qsizetype>(i) + 2]), texts[i]); !ok)
+            return ok.error();
+    }
+    if (auto ok = writeTexton({files.front()}, snapshot); !ok)
+        return ok.error();
+    return output.commit();
+}
+
+} // namespace
+
+Result<ExportReport>
+runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& context) {
+    QElapsedTimer watch;
+    watch.start();
+    ExportReport report;
+    report.files = exportFiles(plan, snapshot);
+    Result<void> done;
+    switch (plan.kind) {
+    case ExportKind::Texton:
+        done = writeTexton(report.files, snapshot);
+        break;
+    case ExportKind::Noise: {
+        const auto clipped = writeNoise(report.files.front(), plan, snapshot, context);
+        if (!clipped)
+            return clipped.error();
+        report.clippedShare = *clipped;
+        break;
+    }
+    case ExportKind::View:
+        done = writeView(report.files.front(), snapshot.view);
+        break;
+    case ExportKind::Engine:
+        done = writeEngine(report.files, plan, snapshot);
+        break;
+    }
+    if (!done)
+        return done.error();
+    report.seconds = static_cast<double>(watch.elapsed()) / 1000.0;
+    return report;
+}
+
+} // namespace txn::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/ExportPlan.h"
+
+#include <QDir>
+
+namespace txn::app {
+namespace {
+
+constexpr qsizetype kMaxNameLength = 120;
+
+QString ending(ImageFormat format) {
+    switch (format) {
+    case ImageFormat::OpenExr:
+        return QStringLiteral(".exr");
+    case ImageFormat::Tiff:
+        return QStringLiteral(".tif");
+    default:
+        return QStringLiteral(".png");
+    }
+}
+
+QString sizeWord(Size size) {
+    return size.width == size.height ? QString::number(size.width)
+                                     : QStringLiteral("%1x%2").arg(size.width).arg(size.height);
+}
+
+QString safe(QString name) {
+    for (QChar& c : name) {
+        if (c.unicode() < 0x20 || c.unicode() == 0x7f || QStringLiteral("/\\:*?\"<>|").contains(c))
+            c = QLatin1Char('_');
+    }
+    while (name.startsWith(QLatin1Char('.')) || name.startsWith(QLatin1Char(' ')))
+        name.remove(0, 1);
+    while (name.endsWith(QLatin1Char('.')) || name.endsWith(QLatin1Char(' ')))
+        name.chop(1);
+    name.truncate(kMaxNameLength);
+    return name.isEmpty() ? QStringLiteral("texton") : name;
+}
+
+} // namespace
+
+QString standardTemplate(const ExportPlan& plan) {
+    switch (plan.kind) {
+    case ExportKind::Texton:
+        return QStringLiteral("{name}_texton{support}");
+    case ExportKind::Noise:
+        return plan.tileable ? QStringLiteral("{name}_noise_{size}_tile")
+                             : QStringLiteral("{name}_noise_{size}");
+    case ExportKind::View:
+        return QStringLiteral("{name}_view");
+    case ExportKind::Engine:
+        break;
+    }
+    return QStringLiteral("{name}_shader");
+}
+
+QString exportName(const ExportPlan& plan, const ExportSnapshot& snapshot) {
+    QString name = plan.nameTemplate.trimmed().isEmpty() ? standardTemplate(plan)
+                                                         : plan.nameTemplate.trimmed();
+    name.replace(QLatin1String("{support}"), sizeWord(snapshot.asset.texton.support.size()));
+    name.replace(QLatin1String("{mni}"), QString::number(snapshot.noise.meanImpacts));
+    name.replace(QLatin1String("{seed}"), QString::number(snapshot.noise.seed.value));
+    name.replace(QLatin1String("{size}"), sizeWord(plan.size));
+    // Last: what a file is called is not looked at for words.
+    name.replace(QLatin1String("{name}"), snapshot.name);
+    return safe(name);
+}
+
+QStringList exportFiles(const ExportPlan& plan, const ExportSnapshot& snapshot) {
+    const QString base = QDir(plan.folder).filePath(exportName(plan, snapshot));
+    switch (plan.kind) {
+    case ExportKind::Texton: {
+        // Each with its sidecar.
+        QStringList files;
+        for (const auto& [wanted, end] : {std::pair(plan.textonExr, ".exr"),
+                                          std::pair(plan.textonPng, ".png"),
+                                          std::pair(plan.textonFile, ".texton")}) {
+            const QString file = base + QLatin1String(end);
+            if (wanted)
+                files << file << file + QStringLiteral(".json");
+        }
+        return files;
+    }
+    case ExportKind::Noise:
+        return {base + ending(plan.format)};
+    case ExportKind::View:
+        return {base + QStringLiteral(".png")};
+    case ExportKind::Engine:
+        break;
+    }
+    return {base + QStringLiteral(".exr"),
+            base + QStringLiteral(".exr.json"),
+            base + QStringLiteral(".glsl"),
+            base + QStringLiteral(".f32"),
+            base + QStringLiteral(".json"),
+            base + QStringLiteral("_example.cpp")};
+}
+
+} // namespace txn::app
