@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Application.h"
+
+#include "app/MainWindow.h"
+#include "app/files/Autosave.h"
+#include "app/files/FileController.h"
+#include "app/files/RecoveryDialog.h"
+#include "app/widgets/MessageBar.h"
+
+#include <QStandardPaths>
+
+namespace txn::app {
+namespace {
+
+const QString kFirstSample = QStringLiteral("rust");
+
+} // namespace
+
+Application::Application(Settings& settings, const QString& recoveryFolder)
+    : m_settings(settings), m_recoveryFolder(recoveryFolder), m_pipeline(m_document, m_runner),
+      m_autosave(std::make_unique<Autosave>(m_document, m_runner, recoveryFolder)),
+      m_window(std::make_unique<MainWindow>(
+          MainWindow::Parts{m_settings, m_document, m_runner, m_pipeline, m_noise})) {}
+
+Application::~Application() = default;
+
+QString Application::standardRecoveryFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+           QStringLiteral("/recovery");
+}
+
+void Application::start(const QStringList& files) {
+    if (!files.isEmpty()) {
+        m_window->files().open(files.first());
+        if (files.size() > 1)
+            m_window->messages().show(MessageBar::Kind::Note,
+                                      MainWindow::tr("Opened the first of the files."));
+        return;
+    }
+    if (!offerRecovery())
+        m_window->files().openSample(kFirstSample);
+}
+
+bool Application::offerRecovery() {
+    auto copies = findRecoverable(m_recoveryFolder);
+    if (copies.empty())
+        return false;
+    auto* dialog = new RecoveryDialog(std::move(copies), m_window.get());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog,
+                     &RecoveryDialog::recoverRequested,
+                     m_window.get(),
+                     [this](const RecoveredProject& copy) { recover(copy); });
+    QObject::connect(dialog, &QDialog::rejected, m_window.get(), [this] {
+        m_window->files().openSample(kFirstSample);
+    });
+    dialog->open();
+    return true;
+}
+
+void Application::recover(const RecoveredProject& copy) {
+    m_runner.submit(JobKind::Open,
+                    MainWindow::tr("Recovering %1").arg(copy.title),
+                    [this, copy](JobContext&) -> Delivery {
+                        auto saved = readRecovered(copy);
+                        return [this, copy, saved = std::move(saved)] {
+                            if (!saved) {
+                                m_window->messages().show(
+                                    MessageBar::Kind::Problem,
+                                    QString::fromStdString(saved.error().message));
+                                return;
+                            }
+                            m_window->files().recover(*saved, copy.originalPath);
+                            discard(copy);
+                        };
+                    });
+}
+
+} // namespace txn::app

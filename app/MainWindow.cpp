@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/MainWindow.h"
+
+#include "app/document/ProjectDocument.h"
+#include "app/files/FileController.h"
+#include "app/look/Theme.h"
+#include "app/panels/ExemplarPanel.h"
+#include "app/panels/HistogramPanel.h"
+#include "app/panels/JobsPanel.h"
+#include "app/panels/NoisePanel.h"
+#include "app/panels/SpectrumPanel.h"
+#include "app/panels/TextonPanel.h"
+#include "app/pipeline/Pipeline.h"
+#include "app/settings/Settings.h"
+#include "app/views/NoiseService.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/ActionRegistry.h"
+#include "app/widgets/MessageBar.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLocale>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QStatusBar>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+namespace txn::app {
+namespace {
+
+constexpr int kStateVersion = 1;
+constexpr QSize kFirstSize{1440, 900};
+constexpr int kSideWidth = 304;
+constexpr int kBottomHeight = 216;
+
+} // namespace
+
+MainWindow::MainWindow(const Parts& parts)
+    : m_settings(parts.settings), m_document(parts.document), m_runner(parts.runner),
+      m_pipeline(parts.pipeline), m_noise(parts.noise),
+      m_files(new FileController(m_document, m_runner, m_settings, *this)),
+      m_actions(new ActionRegistry(m_settings, this)), m_messages(new MessageBar),
+      m_views(new ViewArea(m_document, m_pipeline, m_noise, m_settings)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    auto* center = new QWidget;
+    auto* column = new QVBoxLayout(center);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_messages);
+    column->addWidget(m_views, 1);
+    setCentralWidget(center);
+    createDocks();
+    createStatusBar();
+    createActions();
+    createMenus();
+
+    const auto problem = [this](const QString& text) {
+        m_messages->show(MessageBar::Kind::Problem, text);
+    };
+    connect(m_files, &FileController::problem, this, problem);
+    connect(m_files, &FileController::note, this, [this](const QString& text) {
+        m_messages->show(MessageBar::Kind::Note, text);
+    });
+    connect(&m_pipeline, &Pipeline::failed, this, problem);
+    connect(&m_runner, &JobRunner::jobFailed, this, [problem](JobKind, const QString& reason) {
+        problem(tr("That did not work: %1").arg(reason));
+    });
+    connect(&m_noise, &NoiseService::ready, this, [this] {
+        m_renderer->setText(m_noise.renderer());
+        if (!m_noise.problem().isEmpty())
+            m_messages->show(MessageBar::Kind::Warning,
+                             tr("The noise is drawn without the graphics card, from above only: %1")
+                                 .arg(m_noise.problem()));
+    });
+    connect(&m_document, &ProjectDocument::titleChanged, this, &MainWindow::showTitle);
+    showTitle();
+
+    resize(kFirstSize);
+    arrangeDocks();
+    restoreGeometry(m_settings.windowGeometry());
+    restoreState(m_settings.windowState(), kStateVersion);
+}
+
+MainWindow::~MainWindow() = default;
+
+QDockWidget* MainWindow::addDock(const QString& id,
+                                 const QString& title,
+                                 QWidget* content,
+                                 Qt::DockWidgetArea area,
+                                 bool scrolls) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(id);
+    if (scrolls) {
+        auto* scroll = new QScrollArea;
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
+        scroll->setWidget(content);
+        dock->setWidget(scroll);
+    } else {
+        dock->setWidget(content);
+    }
+    addDockWidget(area, dock);
+    m_docks[id] = dock;
+    return dock;
+}
+
+void MainWindow::createDocks() {
+    addDock(QStringLiteral("exemplarDock"),
+            tr("Exemplar"),
+            new ExemplarPanel(m_document, m_pipeline),
+            Qt::LeftDockWidgetArea,
+            true);
+    addDock(QStringLiteral("textonDock"),
+            tr("Texton"),
+            new TextonPanel(m_document, m_pipeline, m_runner),
+            Qt::RightDockWidgetArea,
+            true);
+    m_noisePanel = new NoisePanel(m_document, m_settings);
+    addDock(QStringLiteral("noiseDock"), tr("Noise"), m_noisePanel, Qt::RightDockWidgetArea, true);
+    connect(m_noisePanel, &NoisePanel::screenshotRequested, this, &MainWindow::saveScreenshot);
+    connect(m_views, &ViewArea::noiseFrameShown, m_noisePanel, &NoisePanel::showFrame);
+
+    const auto addAnalysis = [this](const QString& id, const QString& title, QWidget* panel) {
+        QDockWidget* dock = addDock(id, title, panel, Qt::BottomDockWidgetArea, false);
+        connect(dock, &QDockWidget::visibilityChanged, this, [this] {
+            const auto seen = [this](const char* name) {
+                const QDockWidget* each = m_docks.at(QLatin1String(name));
+                return each->isVisible() && !each->visibleRegion().isEmpty();
+            };
+            m_pipeline.setAnalysisWanted(seen("spectrumDock") || seen("histogramDock"));
+        });
+    };
+    m_docks[QStringLiteral("histogramDock")] = nullptr;
+    addAnalysis(QStringLiteral("spectrumDock"), tr("Spectrum"), new SpectrumPanel(m_pipeline));
+    addAnalysis(QStringLiteral("histogramDock"), tr("Histogram"), new HistogramPanel(m_pipeline));
+    auto* history = new QUndoView(&m_document.undoStack());
+    history->setObjectName(QStringLiteral("historyList"));
+    history->setEmptyLabel(tr("Start"));
+    history->setFrameShape(QFrame::NoFrame);
+    history->setAccessibleName(tr("History"));
+    history->setToolTip(tr("Every change you made. Click one to go back to it."));
+    addDock(QStringLiteral("historyDock"), tr("History"), history, Qt::BottomDockWidgetArea, false);
+    addDock(QStringLiteral("jobsDock"),
+            tr("Jobs"),
+            new JobsPanel(m_runner),
+            Qt::BottomDockWidgetArea,
+            false);
+}
+
+void MainWindow::arrangeDocks() {
+    const auto dock = [this](const char* id) { return m_docks.at(QLatin1String(id)); };
+    for (const auto& [id, each] : m_docks) {
+        each->setFloating(false);
+        each->show();
+    }
+    addDockWidget(Qt::LeftDockWidgetArea, dock("exemplarDock"));
+    addDockWidget(Qt::RightDockWidgetArea, dock("textonDock"));
+    splitDockWidget(dock("textonDock"), dock("noiseDock"), Qt::Vertical);
+    for (const char* id : {"spectrumDock", "histogramDock", "historyDock", "jobsDock"})
+        addDockWidget(Qt::BottomDockWidgetArea, dock(id));
+    for (const char* id : {"histogramDock", "historyDock", "jobsDock"})
+        tabifyDockWidget(dock("spectrumDock"), dock(id));
+    dock("historyDock")->raise();
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    resizeDocks({dock("exemplarDock"), dock("textonDock")},
+                {kSideWidth, kSideWidth},
+                Qt::Horizontal);
+    resizeDocks({dock("spectrumDock")}, {kBottomHeight}, Qt::Vertical);
+}
+
+void MainWindow::resetLayout() {
+    m_hiddenDocks.clear();
+    arrangeDocks();
+}
+
+void MainWindow::toggleDocks() {
+    if (!m_hiddenDocks.empty()) {
+        for (const auto& [dock, visible] : m_hiddenDocks)
+            dock->setVisible(visible);
+        m_hiddenDocks.clear();
+        return;
+    }
+    for (const auto& [id, dock] : m_docks) {
+        m_hiddenDocks[dock] = dock->toggleViewAction()->isChecked();
+        dock->hide();
+    }
+    m_views->setFocus();
+}
+
+void MainWindow::focusNextPart() {
+    std::vector<QWidget*> parts{m_views};
+    for (const char* id : {"exemplarDock",
+                           "textonDock",
+                           "noiseDock",
+                           "spectrumDock",
+                           "histogramDock",
+                           "historyDock",
+                           "jobsDock"}) {
+        QDockWidget* dock = m_docks.at(QLatin1String(id));
+        if (dock->isVisible() && !dock->visibleRegion().isEmpty())
+            parts.push_back(dock->widget());
+    }
+    const QWidget* focused = QApplication::focusWidget();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i] == focused || (focused != nullptr && parts[i]->isAncestorOf(focused)))
+            next = (i + 1) % parts.size();
+    }
+    QWidget* target = parts[next];
+    target->setFocus(Qt::TabFocusReason);
+    // A panel itself takes no focus: its first control does.
+    for (QWidget* child : target->findChildren<QWidget*>()) {
+        if (!target->hasFocus() && child->isVisible() && child->isEnabled() &&
+            (child->focusPolicy() & Qt::TabFocus) == Qt::TabFocus) {
+            child->setFocus(Qt::TabFocusReason);
+            break;
+        }
+    }
+}
+
+void MainWindow::createStatusBar() {
+    m_probe = new QLabel;
+    m_probe->setObjectName(QStringLiteral("probe"));
+    m_zoom = new QLabel;
+    m_zoom->setObjectName(QStringLiteral("zoom"));
+    m_error = new QLabel;
+    m_error->setObjectName(QStringLiteral("errorSummary"));
+    m_renderer = new QLabel;
+    m_renderer->setObjectName(QStringLiteral("renderer"));
+    m_renderer->setToolTip(tr("What draws the noise."));
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(m_probe, 1);
+    for (QLabel* label : {m_zoom, m_error, m_renderer})
+        statusBar()->addPermanentWidget(label);
+    connect(m_views, &ViewArea::probed, this, &MainWindow::showProbe);
+    connect(m_views, &ViewArea::probeLeft, m_probe, &QLabel::clear);
+    const auto showZoom = [this] {
+        m_zoom->setText(tr("%1 %").arg(QLocale().toString(100.0 * m_document.view().zoom, 'f', 0)));
+    };
+    connect(&m_document, &ProjectDocument::viewChanged, this, showZoom);
+    showZoom();
+    connect(&m_pipeline, &Pipeline::textonChanged, this, [this] {
+        const auto texton = m_pipeline.texton();
+        m_error->setText(texton && !texton->imported
+                             ? tr("Relative model error %1")
+                                   .arg(QLocale().toString(texton->relativeModelError, 'f', 2))
+                             : QString());
+    });
+}
+
+void MainWindow::showProbe(const ProbeInfo& probe) {
+    const QLocale locale;
+    const auto numbers = [&](const std::vector<double>& values) {
+        QStringList texts;
+        for (const double value : values)
+            texts.append(locale.toString(value, 'f', 3));
+        return texts.join(QLatin1Char(' '));
+    };
+    QString text = tr("x %1  y %2").arg(probe.x).arg(probe.y);
+    if (!probe.encoded.empty())
+        text += QStringLiteral("    ") + tr("sRGB %1").arg(numbers(probe.encoded)) +
+                QStringLiteral("    ") + tr("linear %1").arg(numbers(probe.linear));
+    if (!probe.hex.isEmpty())
+        text += QStringLiteral("    ") + probe.hex;
+    m_probe->setText(text);
+}
+
+void MainWindow::showTitle() {
+    setWindowTitle(m_document.title() + QStringLiteral("[*]"));
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_closing && m_document.isModified()) {
+        event->ignore();
+        m_files->whenSafe([this] {
+            m_closing = true;
+            close();
+        });
+        return;
+    }
+    if (m_hiddenDocks.empty())
+        m_settings.setWindow(saveGeometry(), saveState(kStateVersion));
+    m_runner.cancelAll();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (FileController::canOpen(*event->mimeData()))
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (m_files->openMime(*event->mimeData()))
+        event->acceptProposedAction();
+}
+
+} // namespace txn::app

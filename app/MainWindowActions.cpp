@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the menus of the main window do.
+#include "app/MainWindow.h"
+#include "app/document/ProjectDocument.h"
+#include "app/files/FileController.h"
+#include "app/look/Language.h"
+#include "app/look/Theme.h"
+#include "app/panels/ExportDialog.h"
+#include "app/pipeline/Pipeline.h"
+#include "app/settings/Settings.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/ActionRegistry.h"
+#include "app/widgets/CommandPalette.h"
+#include "app/widgets/KeyMapOverlay.h"
+#include "app/widgets/MessageBar.h"
+#include "app/widgets/ShortcutEditor.h"
+#include "core/base/Version.h"
+#include "core/samples/Samples.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QRandomGenerator>
+#include <QToolBar>
+#include <QWhatsThis>
+
+namespace txn::app {
+namespace {
+
+QString sampleTitle(const QString& name) {
+    const std::map<QString, QString> titles{
+        {QStringLiteral("wood"), MainWindow::tr("Wood")},
+        {QStringLiteral("stone"), MainWindow::tr("Stone")},
+        {QStringLiteral("sand"), MainWindow::tr("Sand")},
+        {QStringLiteral("rust"), MainWindow::tr("Rust")},
+        {QStringLiteral("metal"), MainWindow::tr("Brushed metal")},
+        {QStringLiteral("cloth"), MainWindow::tr("Cloth")},
+        {QStringLiteral("leather"), MainWindow::tr("Leather")}};
+    const auto found = titles.find(name);
+    return found == titles.end() ? name : found->second;
+}
+
+} // namespace
+
+QAction* MainWindow::action(const QString& id,
+                            const QString& text,
+                            const QString& toolTip,
+                            const QString& shortcut,
+                            const std::function<void()>& run) {
+    QAction* made = m_actions->add(id, text, toolTip, shortcut);
+    addAction(made);
+    connect(made, &QAction::triggered, this, run);
+    return made;
+}
+
+void MainWindow::createActions() {
+    createFileActions();
+    createEditActions();
+    createViewActions();
+    createTextonActions();
+    createWindowActions();
+    createHelpActions();
+}
+
+void MainWindow::createFileActions() {
+    action(QStringLiteral("file.new"),
+           tr("&New"),
+           tr("Close everything and start afresh."),
+           QStringLiteral("Ctrl+N"),
+           [this] { m_files->newProject(); });
+    action(QStringLiteral("file.open"),
+           tr("&Open..."),
+           tr("Open a photo, a texton or a project."),
+           QStringLiteral("Ctrl+O"),
+           [this] { m_files->openDialog(); });
+    action(QStringLiteral("file.save"),
+           tr("&Save project"),
+           tr("Keep the photo and all settings in one file."),
+           QStringLiteral("Ctrl+S"),
+           [this] { m_files->save(); });
+    action(QStringLiteral("file.saveAs"),
+           tr("Save project &as..."),
+           tr("Save under another name."),
+           QStringLiteral("Ctrl+Shift+S"),
+           [this] { m_files->saveAs(); });
+    action(QStringLiteral("file.export"),
+           tr("&Export..."),
+           tr("Write textons, textures and shaders for other programs."),
+           QStringLiteral("Ctrl+E"),
+           [this] { openExport(); });
+    action(QStringLiteral("file.screenshot"),
+           tr("Save &picture of the noise..."),
+           tr("Save what the noise view shows."),
+           QStringLiteral("Ctrl+Shift+E"),
+           [this] { saveScreenshot(); });
+    action(QStringLiteral("file.quit"),
+           tr("&Quit"),
+           tr("Close the program."),
+           QStringLiteral("Ctrl+Q"),
+           [this] { close(); });
+    connect(m_files, &FileController::recentFilesChanged, this, &MainWindow::fillRecentMenu);
+}
+
+void MainWindow::createEditActions() {
+    QUndoStack& stack = m_document.undoStack();
+    QAction* undo = action(QStringLiteral("edit.undo"),
+                           tr("&Undo"),
+                           tr("Take the last change back."),
+                           QStringLiteral("Ctrl+Z"),
+                           [&stack] { stack.undo(); });
+    QAction* redo = action(QStringLiteral("edit.redo"),
+                           tr("&Redo"),
+                           tr("Make the change again."),
+                           QStringLiteral("Ctrl+Shift+Z"),
+                           [&stack] { stack.redo(); });
+    const auto show = [this, undo, redo, &stack] {
+        undo->setEnabled(stack.canUndo());
+        redo->setEnabled(stack.canRedo());
+        undo->setText(stack.canUndo() ? tr("&Undo: %1").arg(stack.undoText()) : tr("&Undo"));
+        redo->setText(stack.canRedo() ? tr("&Redo: %1").arg(stack.redoText()) : tr("&Redo"));
+    };
+    connect(&stack, &QUndoStack::indexChanged, this, show);
+    show();
+    action(QStringLiteral("edit.paste"),
+           tr("&Paste"),
+           tr("Open the picture or file in the clipboard."),
+           QStringLiteral("Ctrl+V"),
+           [this] {
+               const QMimeData* content = QApplication::clipboard()->mimeData();
+               if (content == nullptr || !m_files->openMime(*content))
+                   m_messages->show(MessageBar::Kind::Note,
+                                    tr("There is no picture in the clipboard."));
+           });
+    action(QStringLiteral("edit.shortcuts"),
+           tr("&Shortcuts..."),
+           tr("Choose your own keys."),
+           {},
+           [this] {
+               auto* editor = new ShortcutEditor(*m_actions, this);
+               editor->setAttribute(Qt::WA_DeleteOnClose);
+               editor->show();
+           });
+}
+
+void MainWindow::createViewActions() {
+    struct Layout {
+        const char* id;
+        QString text;
+        QString tip;
+        const char* icon;
+        const char* key;
+        ViewLayout layout;
+    };
+    const std::array layouts{Layout{"view.single",
+                                    tr("&Single view"),
+                                    tr("One picture fills the middle."),
+                                    "single",
+                                    "Ctrl+1",
+                                    ViewLayout::Single},
+                             Layout{"view.sideBySide",
+                                    tr("Side &by side"),
+                                    tr("Two pictures next to each other."),
+                                    "side-by-side",
+                                    "Ctrl+2",
+                                    ViewLayout::SideBySide},
+                             Layout{"view.quad",
+                                    tr("&Four views"),
+                                    tr("Exemplar, Gaussian version, texton and noise at once."),
+                                    "quad",
+                                    "Ctrl+4",
+                                    ViewLayout::Quad},
+                             Layout{"view.wipe",
+                                    tr("&Wipe"),
+                                    tr("Two pictures in one place, with a border to drag."),
+                                    "wipe",
+                                    "W",
+                                    ViewLayout::Wipe}};
+    auto* group = new QActionGroup(this);
+    for (const Layout& each : layouts) {
+        QAction* made = action(QLatin1String(each.id),
+                               each.text,
+                               each.tip,
+                               QLatin1String(each.key),
+                               [this, layout = each.layout] { m_views->setLayoutKind(layout); });
+        made->setIcon(themeIcon(QLatin1String(each.icon)));
+        made->setCheckable(true);
+        group->addAction(made);
+        connect(&m_document,
+                &ProjectDocument::viewChanged,
+                made,
+                [this, made, layout = each.layout] {
+                    made->setChecked(m_document.view().layout == layout);
+                });
+        made->setChecked(m_document.view().layout == each.layout);
+    }
+    action(QStringLiteral("view.fit"),
+           tr("F&it"),
+           tr("Show the whole exemplar."),
+           QStringLiteral("F"),
+           [this] { m_views->fit(); });
+    action(QStringLiteral("view.zoom100"),
+           tr("&100 %"),
+           tr("One pixel of the picture is one of the screen."),
+           QStringLiteral("1"),
+           [this] { m_views->setZoom(1.0); });
+    action(QStringLiteral("view.zoom200"),
+           tr("&200 %"),
+           tr("Twice as large."),
+           QStringLiteral("2"),
+           [this] { m_views->setZoom(2.0); });
+    action(QStringLiteral("view.gaussian"),
+           tr("Show the &Gaussian version"),
+           tr("In the view under the mouse."),
+           QStringLiteral("G"),
+           [this] { m_views->showGaussian(); });
+    QAction* tiling = action(
+        QStringLiteral("view.tiled"),
+        tr("&Tile the exemplar"),
+        tr("Repeat the photo, to see the repetition that the noise does away with."),
+        QStringLiteral("T"),
+        [this] { m_document.changeView([](ViewState& view) { view.tiled = !view.tiled; }); });
+    tiling->setCheckable(true);
+    connect(&m_document, &ProjectDocument::viewChanged, tiling, [this, tiling] {
+        tiling->setChecked(m_document.view().tiled);
+    });
+    const auto expose = [this](const char* id,
+                               const QString& text,
+                               const QString& tip,
+                               const char* key,
+                               double step) {
+        action(QLatin1String(id), text, tip, QLatin1String(key), [this, step] {
+            m_document.changeView([step](ViewState& view) {
+                view.exposure = step == 0.0 ? 0.0 : std::clamp(view.exposure + step, -10.0, 10.0);
+            });
+        });
+    };
+    expose("view.brighter",
+           tr("B&righter"),
+           tr("Show everything a third of a stop brighter."),
+           "+",
+           1.0 / 3.0);
+    expose("view.darker",
+           tr("&Darker"),
+           tr("Show everything a third of a stop darker."),
+           "-",
+           -1.0 / 3.0);
+    expose("view.exposureReset",
+           tr("N&ormal exposure"),
+           tr("Show the values as they are."),
+           "0",
+           0.0);
+    const auto isolate = [this](const char* id,
+                                const QString& text,
+                                const char* key,
+                                std::optional<int> channel) {
+        action(QLatin1String(id),
+               text,
+               tr("Look at single channels as gray."),
+               QLatin1String(key),
+               [this, channel] {
+                   m_document.changeView([channel](ViewState& view) { view.channel = channel; });
+               });
+    };
+    isolate("view.channelAll", tr("&All channels"), "Shift+0", std::nullopt);
+    isolate("view.channel1", tr("First channel (red)"), "Shift+1", 0);
+    isolate("view.channel2", tr("Second channel (green)"), "Shift+2", 1);
+    isolate("view.channel3", tr("Third channel (blue)"), "Shift+3", 2);
+    const auto surround = [this](const char* id, const QString& text, Surround choice) {
+        action(QLatin1String(id), text, tr("What is around the pictures."), {}, [this, choice] {
+            m_settings.setSurround(choice);
+            m_views->update();
+            emit m_document.viewChanged();
+        });
+    };
+    surround("view.surroundGrey", tr("Gray surround"), Surround::Grey);
+    surround("view.surroundBlack", tr("Black surround"), Surround::Black);
+    surround("view.surroundWhite", tr("White surround"), Surround::White);
+}
+
+void MainWindow::createTextonActions() {
+    action(QStringLiteral("texton.compute"),
+           tr("&Compute again"),
+           tr("Compute the texton once more and watch it form."),
+           QStringLiteral("F5"),
+           [this] { m_pipeline.recomputeTexton(); });
+    action(QStringLiteral("texton.cancel"),
+           tr("C&ancel"),
+           tr("Stop computing the texton."),
+           QStringLiteral("Shift+F5"),
+           [this] { m_pipeline.cancelTexton(); });
+    action(
+        QStringLiteral("texton.newSeed"),
+        tr("New &seed"),
+        tr("Another random result of what is under the mouse: Gaussian version, texton or noise."),
+        QStringLiteral("R"),
+        [this] { newSeed(); });
+    const auto method =
+        [this](const char* id, const QString& text, const QString& tip, GaussianMethod choice) {
+            action(QLatin1String(id), text, tip, {}, [this, choice] {
+                m_document.change(tr("Gaussian method"),
+                                  [choice](Project& project) { project.gaussian.method = choice; });
+            });
+        };
+    method("texton.adsn",
+           tr("Gaussian version by white &noise (ADSN)"),
+           tr("Random phases and random strengths: what texton noise comes to."),
+           GaussianMethod::Adsn);
+    method("texton.rpn",
+           tr("Gaussian version by random &phases (RPN)"),
+           tr("Random phases only: keeps the exact spectrum of the photo."),
+           GaussianMethod::RandomPhase);
+}
+
+void MainWindow::newSeed() {
+    const quint32 seed = QRandomGenerator::global()->generate();
+    const Picture picture = m_views->pictureUnderMouse().value_or(Picture::Noise);
+    if (picture == Picture::Texton && m_document.project().texton.seedLocked) {
+        m_messages->show(MessageBar::Kind::Note, tr("The texton's seed is locked."));
+        return;
+    }
+    m_document.change(tr("New seed"), [&](Project& project) {
+        if (picture == Picture::Gaussian)
+            project.gaussian.seed = Seed{seed};
+        else if (picture == Picture::Texton)
+            project.texton.seed = Seed{seed};
+        else
+            project.noise.seed = Seed{seed};
+    });
+}
+
+void MainWindow::createWindowActions() {
+    for (const auto& [id, dock] : m_docks) {
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setToolTip(tr("Show or hide this panel."));
+        m_actions->adopt(QStringLiteral("window.") + id, toggle);
+    }
+    // In a view only: elsewhere, Tab goes to the next control.
+    QAction* hide =
+        m_actions->add(QStringLiteral("window.hideDocks"),
+                       tr("&Hide panels"),
+                       tr("Nothing but the pictures; the same key brings the panels back."),
+                       QStringLiteral("Tab"));
+    hide->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_views->addAction(hide);
+    connect(hide, &QAction::triggered, this, &MainWindow::toggleDocks);
+    action(QStringLiteral("window.next"),
+           tr("&Next panel"),
+           tr("Go on to the next panel with the keyboard."),
+           QStringLiteral("F6"),
+           [this] { focusNextPart(); });
+    action(QStringLiteral("window.reset"),
+           tr("&Reset layout"),
+           tr("Put all panels back where they belong."),
+           {},
+           [this] { resetLayout(); });
+    QAction* full = action(QStringLiteral("window.fullScreen"),
+                           tr("&Full screen"),
+                           tr("Use the whole screen."),
+                           QStringLiteral("F11"),
+                           [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    full->setCheckable(true);
+    const auto theme = [this](const char* id, const QString& text, ThemeChoice choice) {
+        action(QLatin1String(id), text, tr("The colors of the window."), {}, [this, choice] {
+            m_settings.setTheme(choice);
+            applyTheme(*qApp, choice);
+        });
+    };
+    theme("window.themeDark", tr("&Dark"), ThemeChoice::Dark);
+    theme("window.themeLight", tr("&Light"), ThemeChoice::Light);
+    theme("window.themeSystem", tr("As the &system"), ThemeChoice::System);
+}
+
+void MainWindow::createHelpActions() {
+    action(QStringLiteral("help.palette"),
+           tr("&Command palette"),
+           tr("Find any command by typing a part of its name."),
+           QStringLiteral("Ctrl+Shift+P"),
+           [this] { CommandPalette::open(*m_actions, *this); });
+    action(QStringLiteral("help.keys"),
+           tr("&Keys"),
+           tr("All keys at a glance."),
+           QStringLiteral("F1"),
+           [this] { KeyMapOverlay::toggle(*m_actions, *this); });
+    action(QStringLiteral("help.whatsThis"),
+           tr("&What is this?"),
+           tr("Then click on anything to read about it."),
+           QStringLiteral("Shift+F1"),
+           [] { QWhatsThis::enterWhatsThisMode(); });
+    action(
+        QStringLiteral("help.about"),
+        tr("&About Texton Studio"),
+        tr("Version, method and license."),
+        {},
+        [this] {
+            auto* box =
+                new QMessageBox(QMessageBox::NoIcon,
+                                tr("About Texton Studio"),
+                                tr("<b>Texton Studio %1</b>").arg(QLatin1String(kProgramVersion)),
+                                QMessageBox::Close,
+                                this);
+            box->setInformativeText(tr(
+                "Endless material from a photo, by the method of Galerne, Leclaire and Moisan "
+                "(2014, "
+                "2017). Free software under the GNU General Public License, version 3 or later."));
+            box->setIconPixmap(QIcon(QStringLiteral(":/icons/texton-studio.svg")).pixmap(64, 64));
+            box->setAttribute(Qt::WA_DeleteOnClose);
+            box->open();
+        });
+}
+
+void MainWindow::createMenus() {
+    const auto fill = [this](QMenu* menu, std::initializer_list<const char*> ids) {
+        for (const char* id : ids) {
+            if (*id == '\0')
+                menu->addSeparator();
+            else
+                menu->addAction(m_actions->find(QLatin1String(id)));
+        }
+        menu->setToolTipsVisible(true);
+    };
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    fill(file, {"file.new", "file.open"});
+    m_recentMenu = file->addMenu(tr("Open &recent"));
+    m_sampleMenu = file->addMenu(tr("Open a sa&mple"));
+    fill(file,
+         {"", "file.save", "file.saveAs", "", "file.export", "file.screenshot", "", "file.quit"});
+    fill(menuBar()->addMenu(tr("&Edit")),
+         {"edit.undo", "edit.redo", "", "edit.paste", "", "edit.shortcuts"});
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    fill(view,
+         {"view.single",
+          "view.sideBySide",
+          "view.quad",
+          "view.wipe",
+          "",
+          "view.fit",
+          "view.zoom100",
+          "view.zoom200",
+          "",
+          "view.gaussian",
+          "view.tiled",
+          "",
+          "view.brighter",
+          "view.darker",
+          "view.exposureReset"});
+    fill(view->addMenu(tr("&Channels")),
+         {"view.channelAll", "view.channel1", "view.channel2", "view.channel3"});
+    fill(view->addMenu(tr("S&urround")),
+         {"view.surroundGrey", "view.surroundBlack", "view.surroundWhite"});
+    fill(menuBar()->addMenu(tr("&Texton")),
+         {"texton.compute", "texton.cancel", "texton.newSeed", "", "texton.adsn", "texton.rpn"});
+    QMenu* window = menuBar()->addMenu(tr("&Window"));
+    for (const auto& [id, dock] : m_docks)
+        window->addAction(dock->toggleViewAction());
+    fill(window, {"", "window.hideDocks", "window.next", "window.reset", "window.fullScreen", ""});
+    fill(window->addMenu(tr("&Theme")),
+         {"window.themeDark", "window.themeLight", "window.themeSystem"});
+    QMenu* languages = window->addMenu(tr("&Language"));
+    for (const QString& code : availableLanguages()) {
+        QAction* each = languages->addAction(QLocale(code).nativeLanguageName());
+        connect(each, &QAction::triggered, this, [this, code] { chooseLanguage(code); });
+    }
+    fill(menuBar()->addMenu(tr("&Help")),
+         {"help.palette", "help.keys", "help.whatsThis", "", "help.about"});
+
+    auto* corner = new QToolBar;
+    corner->setObjectName(QStringLiteral("layoutBar"));
+    corner->setIconSize({16, 16});
+    for (const char* id : {"view.single", "view.sideBySide", "view.quad", "view.wipe"})
+        corner->addAction(m_actions->find(QLatin1String(id)));
+    menuBar()->setCornerWidget(corner);
+    fillRecentMenu();
+    // Thumbnails take a moment to make; nobody needs them before the menu opens.
+    connect(m_sampleMenu, &QMenu::aboutToShow, this, &MainWindow::fillSampleMenu);
+}
+
+void MainWindow::fillRecentMenu() {
+    m_recentMenu->clear();
+    for (const QString& path : m_settings.recentFiles()) {
+        QAction* each = m_recentMenu->addAction(QFileInfo(path).fileName());
+        each->setToolTip(path);
+        connect(each, &QAction::triggered, this, [this, path] { m_files->open(path); });
+    }
+    m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
+    m_recentMenu->setToolTipsVisible(true);
+    if (m_recentMenu->isEmpty())
+        return;
+    m_recentMenu->addSeparator();
+    connect(m_recentMenu->addAction(tr("Clear this list")), &QAction::triggered, this, [this] {
+        m_settings.clearRecentFiles();
+        fillRecentMenu();
+    });
+}
+
+void MainWindow::fillSampleMenu() {
+    if (!m_sampleMenu->isEmpty())
+        return;
+    constexpr Size kThumbnail{48, 48};
+    for (const SampleInfo& sample : sampleCatalog()) {
+        const QString name =
+            QString::fromUtf8(sample.name.data(), static_cast<qsizetype>(sample.name.size()));
+        QAction* each = m_sampleMenu->addAction(sampleTitle(name));
+        if (const auto image = makeSample(sample.name, kThumbnail, Seed{1}))
+            each->setIcon(QPixmap::fromImage(toQImage(*image)));
+        connect(each, &QAction::triggered, this, [this, name] { m_files->openSample(name); });
+    }
+}
+
+void MainWindow::chooseLanguage(const QString& language) {
+    m_settings.setLanguage(language);
+    m_messages->show(MessageBar::Kind::Note,
+                     tr("The language changes when you start Texton Studio again."));
+}
+
+void MainWindow::saveScreenshot() {
+    const QImage picture = m_views->screenshotOfNoise();
+    if (picture.isNull()) {
+        m_messages->show(MessageBar::Kind::Note,
+                         tr("There is no noise to save yet. Open a photo first."));
+        return;
+    }
+    auto* dialog = new QFileDialog(this,
+                                   tr("Save the picture"),
+                                   m_settings.folder(QStringLiteral("screenshots")),
+                                   tr("PNG pictures (*.png)"));
+    dialog->setObjectName(QStringLiteral("screenshotDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("png"));
+    dialog->selectFile(QFileInfo(m_document.title()).completeBaseName() +
+                       QStringLiteral("_noise.png"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, picture](const QString& path) {
+        m_settings.setFolder(QStringLiteral("screenshots"), QFileInfo(path).absolutePath());
+        if (picture.save(path, "PNG"))
+            m_messages->show(MessageBar::Kind::Note,
+                             tr("Saved %1").arg(QFileInfo(path).fileName()));
+        else
+            m_messages->show(MessageBar::Kind::Problem,
+                             tr("%1 cannot be written; please choose another folder.").arg(path));
+    });
+    dialog->open();
+}
+
+void MainWindow::openExport() {
+    if (m_export == nullptr) {
+        m_export = new ExportDialog(m_document, m_pipeline, m_runner, m_settings, this);
+        m_export->setCurrentView([this] { return m_views->screenshotOfNoise(); });
+    }
+    m_export->show();
+    m_export->raise();
+    m_export->activateWindow();
+}
+
+} // namespace txn::app

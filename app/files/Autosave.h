@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/ProjectDocument.h"
+#include "app/document/ProjectFile.h"
+#include "app/jobs/JobRunner.h"
+
+#include <QDateTime>
+#include <QImage>
+#include <QLockFile>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+namespace txn::app {
+
+/// What a program that died has left.
+struct RecoveredProject {
+    QString file;         ///< of the copy
+    QString title;        ///< of the project
+    QString originalPath; ///< empty: it was never saved
+    QDateTime time;
+    QImage thumbnail;
+};
+
+/// Writes a copy of unsaved work into a folder of its own, some seconds after a change, in a job.
+/// The copy goes when the work is saved or given up; if the program dies, it stays and can be
+/// found. The project's own file is never touched. Interface thread.
+class Autosave : public QObject {
+    Q_OBJECT
+
+  public:
+    Autosave(ProjectDocument& document,
+             JobRunner& runner,
+             const QString& folder,
+             int delayMs = 5000);
+    /// Gives the copy up: closing is a decision.
+    ~Autosave() override;
+
+    const QString& file() const { return m_file; }
+
+  private:
+    void schedule();
+    void write();
+
+    ProjectDocument& m_document;
+    JobRunner& m_runner;
+    QString m_folder;
+    QString m_file;
+    std::unique_ptr<QLockFile> m_lock; ///< held while this program lives
+    QTimer m_soon;
+};
+
+/// Copies whose programs have died, newest first. Cheap: exemplars are not decoded.
+[[nodiscard]] std::vector<RecoveredProject> findRecoverable(const QString& folder);
+
+/// Errors: those of decodeProject. Decodes the exemplar: belongs into a job.
+[[nodiscard]] Result<SavedProject> readRecovered(const RecoveredProject& copy);
+
+void discard(const RecoveredProject& copy);
+
+} // namespace txn::app

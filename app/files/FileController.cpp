@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/FileController.h"
+
+#include "app/settings/Settings.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QClipboard>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+
+namespace txn::app {
+namespace {
+
+const QLatin1String kProjectEnding(".txnproj");
+
+} // namespace
+
+FileController::FileController(ProjectDocument& document,
+                               JobRunner& runner,
+                               Settings& settings,
+                               QWidget& window)
+    : QObject(&window), m_document(document), m_runner(runner), m_settings(settings),
+      m_window(window) {}
+
+void FileController::tell(const Error& error) {
+    if (error.code != ErrorCode::Cancelled)
+        emit problem(QString::fromStdString(error.message));
+}
+
+void FileController::remember(const QString& path) {
+    m_settings.addRecentFile(path);
+    m_settings.setFolder(QStringLiteral("open"), QFileInfo(path).absolutePath());
+    emit recentFilesChanged();
+}
+
+void FileController::open(const QString& path) {
+    if (path.endsWith(kProjectEnding, Qt::CaseInsensitive)) {
+        whenSafe([this, path] { openProjectFile(path); });
+        return;
+    }
+    openPictureOrTexton(path);
+}
+
+void FileController::show(const Opened& opened, const QString& name) {
+    // Nothing would get lost by closing a picture that was only looked at.
+    const bool nothingToSave = !m_document.isModified() && m_document.filePath().isEmpty();
+    m_document.change(tr("Open %1").arg(name), [&](Project& project) {
+        // What was cut out of another picture means nothing in this one.
+        project.edit = ExemplarEdit{};
+        project.source.reset();
+        project.importedTexton.reset();
+        if (const auto* source = std::get_if<std::shared_ptr<const Source>>(&opened)) {
+            project.source = *source;
+            return;
+        }
+        project.importedTexton = std::get<std::shared_ptr<const TextonAsset>>(opened);
+        project.noise.process = project.importedTexton->process;
+        project.noise.meanImpacts = project.importedTexton->meanImpacts;
+    });
+    if (nothingToSave)
+        m_document.undoStack().setClean();
+}
+
+void FileController::openSource(const QString& title,
+                                std::function<Result<std::shared_ptr<const Source>>()> load,
+                                const QString& recent) {
+    m_runner.submit(JobKind::Open,
+                    title,
+                    [this, load = std::move(load), recent](JobContext&) -> Delivery {
+                        auto source = load();
+                        return [this, source = std::move(source), recent] {
+                            if (!source) {
+                                tell(source.error());
+                                return;
+                            }
+                            show(*source, (*source)->name);
+                            if (!recent.isEmpty())
+                                remember(recent);
+                        };
+                    });
+}
+
+void FileController::openSample(const QString& name) {
+    openSource(tr("Making the sample"), [name] { return sampleSource(name); }, {});
+}
+
+void FileController::openPictureOrTexton(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    m_runner.submit(JobKind::Open,
+                    tr("Opening %1").arg(name),
+                    [this, path, name](JobContext&) -> Delivery {
+                        auto opened = openFile(path);
+                        return [this, opened = std::move(opened), path, name] {
+                            if (!opened) {
+                                tell(opened.error());
+                                m_settings.removeRecentFile(path);
+                                emit recentFilesChanged();
+                                return;
+                            }
+                            show(*opened, name);
+                            remember(path);
+                        };
+                    });
+}
+
+void FileController::openProjectFile(const QString& path) {
+    m_runner.submit(
+        JobKind::Open,
+        tr("Opening %1").arg(QFileInfo(path).fileName()),
+        [this, path](JobContext&) -> Delivery {
+            auto saved = openProject(path);
+            return [this, saved = std::move(saved), path] {
+                if (!saved) {
+                    tell(saved.error());
+                    m_settings.removeRecentFile(path);
+                    emit recentFilesChanged();
+                    return;
+                }
+                m_document.reset(saved->project, saved->view, QFileInfo(path).absoluteFilePath());
+                for (const QString& warning : saved->warnings)
+                    emit note(warning);
+                remember(path);
+            };
+        });
+}
+
+void FileController::openDialog() {
+    auto* dialog =
+        new QFileDialog(&m_window,
+                        tr("Open a photo, texton or project"),
+                        m_settings.folder(QStringLiteral("open")),
+                        tr("All that can be opened (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr "
+                           "*.tga *.bmp *.webp *.texton "
+                           "*.txnproj);;Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga "
+                           "*.bmp *.webp);;Textons "
+                           "(*.texton *.exr *.png);;Projects (*.txnproj);;All files (*)"));
+    dialog->setObjectName(QStringLiteral("openDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &FileController::open);
+    dialog->open();
+}
+
+bool FileController::canOpen(const QMimeData& data) {
+    return data.hasImage() ||
+           (data.hasUrls() && std::any_of(data.urls().begin(),
+                                          data.urls().end(),
+                                          [](const QUrl& url) { return url.isLocalFile(); }));
+}
+
+bool FileController::openMime(const QMimeData& data) {
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            open(url.toLocalFile());
+            return true;
+        }
+    }
+    const auto image = data.hasImage() ? qvariant_cast<QImage>(data.imageData()) : QImage();
+    if (image.isNull())
+        return false;
+    openSource(
+        tr("Pasting a picture"),
+        [image, name = tr("Pasted picture") + QStringLiteral(".png")]()
+            -> Result<std::shared_ptr<const Source>> {
+            QByteArray bytes;
+            QBuffer buffer(&bytes);
+            if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))
+                return Error{
+                    ErrorCode::Unreadable,
+                    "the pasted picture cannot be read; please save it as a file and open that"};
+            return decodeSource(bytes, name);
+        },
+        {});
+    return true;
+}
+
+void FileController::newProject() {
+    whenSafe([this] {
+        m_runner.cancelAll();
+        m_document.reset({}, {}, {});
+    });
+}
+
+void FileController::save() {
+    if (m_document.filePath().isEmpty())
+        saveAs();
+    else
+        saveTo(m_document.filePath(), {});
+}
+
+void FileController::saveAs(const std::function<void()>& then) {
+    auto* dialog = new QFileDialog(&m_window,
+                                   tr("Save the project"),
+                                   m_settings.folder(QStringLiteral("save")),
+                                   tr("Texton Studio projects (*.txnproj)"));
+    dialog->setObjectName(QStringLiteral("saveDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("txnproj"));
+    const QString base = QFileInfo(m_document.title()).completeBaseName();
+    dialog->selectFile(base + kProjectEnding);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& path) {
+        m_settings.setFolder(QStringLiteral("save"), QFileInfo(path).absolutePath());
+        saveTo(path, then);
+    });
+    dialog->open();
+}
+
+void FileController::saveTo(const QString& path, const std::function<void()>& then) {
+    m_runner.submit(JobKind::Save,
+                    tr("Saving"),
+                    [this, path, then, project = m_document.project(), view = m_document.view()](
+                        JobContext&) -> Delivery {
+                        const auto saved =
+                            saveProject(project, view, ExemplarStorage::Embedded, path);
+                        return [this, saved, path, then, project] {
+                            if (!saved) {
+                                tell(saved.error());
+                                return;
+                            }
+                            // Changes that were made meanwhile are still to be saved.
+                            if (m_document.project() == project)
+                                m_document.setSaved(path);
+                            remember(path);
+                            emit note(tr("Saved %1").arg(QFileInfo(path).fileName()));
+                            if (then)
+                                then();
+                        };
+                    });
+}
+
+void FileController::whenSafe(const std::function<void()>& proceed) {
+    if (!m_document.isModified()) {
+        proceed();
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Question,
+                                tr("Save before closing?"),
+                                tr("%1 has changes that are not saved.").arg(m_document.title()),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel,
+                                &m_window);
+    box->setObjectName(QStringLiteral("saveQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(
+        tr("Saving keeps the photo, all settings and the view in one project file."));
+    box->setDefaultButton(QMessageBox::Save);
+    connect(box, &QMessageBox::finished, this, [this, proceed](int answer) {
+        if (answer == QMessageBox::Discard) {
+            proceed();
+        } else if (answer == QMessageBox::Save) {
+            if (m_document.filePath().isEmpty())
+                saveAs(proceed);
+            else
+                saveTo(m_document.filePath(), proceed);
+        }
+    });
+    box->open();
+}
+
+void FileController::recover(const SavedProject& saved, const QString& originalPath) {
+    m_document.reset(saved.project, saved.view, originalPath);
+    m_document.markRecovered();
+}
+
+} // namespace txn::app

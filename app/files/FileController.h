@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/ProjectDocument.h"
+#include "app/document/ProjectFile.h"
+#include "app/jobs/JobRunner.h"
+
+#include <QObject>
+
+class QMimeData;
+class QWidget;
+
+namespace txn::app {
+
+class Settings;
+
+/// Opening, pasting, saving and closing: the questions that have to be asked on the way, and the
+/// jobs that read and write. What fails leaves the document as it was.
+class FileController : public QObject {
+    Q_OBJECT
+
+  public:
+    FileController(ProjectDocument& document,
+                   JobRunner& runner,
+                   Settings& settings,
+                   QWidget& window);
+
+    /// A picture, texton or project, told by its content. Pictures and textons are undoable steps;
+    /// a project takes the place of the open one, after asking to save that.
+    void open(const QString& path);
+    void openSample(const QString& name);
+    void openDialog();
+    /// A file's path or a picture. False if there is nothing of the kind in it.
+    bool openMime(const QMimeData& data);
+    static bool canOpen(const QMimeData& data);
+
+    void newProject();
+    void save();
+    void saveAs() { saveAs({}); }
+    /// Calls proceed once nothing can get lost: at once, or after the question and the saving.
+    void whenSafe(const std::function<void()>& proceed);
+    /// The project that a crash left behind.
+    void recover(const SavedProject& saved, const QString& originalPath);
+
+  signals:
+    void problem(const QString& message);
+    void note(const QString& message);
+    /// A file was opened or saved and is among the recent ones now.
+    void recentFilesChanged();
+
+  private:
+    void openSource(const QString& title,
+                    std::function<Result<std::shared_ptr<const Source>>()> load,
+                    const QString& recent);
+    void openPictureOrTexton(const QString& path);
+    void openProjectFile(const QString& path);
+    void show(const Opened& opened, const QString& name);
+    void saveAs(const std::function<void()>& then);
+    void saveTo(const QString& path, const std::function<void()>& then);
+    void remember(const QString& path);
+    void tell(const Error& error);
+
+    ProjectDocument& m_document;
+    JobRunner& m_runner;
+    Settings& m_settings;
+    QWidget& m_window;
+};
+
+} // namespace txn::app

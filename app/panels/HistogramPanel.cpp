@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/HistogramPanel.h"
+
+#include "app/look/Theme.h"
+#include "app/pipeline/Pipeline.h"
+
+#include <QChart>
+#include <QChartView>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLegendMarker>
+#include <QLineSeries>
+#include <QValueAxis>
+#include <algorithm>
+#include <array>
+
+namespace txn::app {
+namespace {
+
+constexpr std::size_t kMostCharts = 4;
+
+QString channelName(std::size_t channel, std::size_t count) {
+    const std::array names{HistogramPanel::tr("Red"),
+                           HistogramPanel::tr("Green"),
+                           HistogramPanel::tr("Blue")};
+    if (count == 1)
+        return HistogramPanel::tr("Gray");
+    if (count == names.size() && channel < names.size())
+        return names[channel];
+    return HistogramPanel::tr("Channel %1").arg(channel + 1);
+}
+
+QLineSeries* outline(const TextureAnalysis& analysis, std::size_t channel) {
+    auto* series = new QLineSeries;
+    const auto& bins = analysis.histograms[channel];
+    const double step =
+        (analysis.histogramTo - analysis.histogramFrom) / static_cast<double>(bins.size());
+    QList<QPointF> points;
+    points.reserve(static_cast<qsizetype>(bins.size()));
+    for (std::size_t i = 0; i < bins.size(); ++i)
+        points.append({analysis.histogramFrom + (static_cast<double>(i) + 0.5) * step, bins[i]});
+    series->replace(points);
+    return series;
+}
+
+} // namespace
+
+HistogramPanel::HistogramPanel(Pipeline& pipeline, QWidget* parent)
+    : QWidget(parent), m_pipeline(pipeline) {
+    setObjectName(QStringLiteral("histogramPanel"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 8, 8, 8);
+    row->setSpacing(8);
+    for (std::size_t i = 0; i < kMostCharts; ++i) {
+        auto* view = new QChartView;
+        view->setObjectName(QStringLiteral("histogram%1").arg(i));
+        view->setFrameShape(QFrame::NoFrame);
+        view->setRenderHint(QPainter::Antialiasing);
+        view->setMinimumSize(120, 96);
+        view->setToolTip(
+            tr("How often each value occurs. Where the noise reaches beyond 0 or 1, its "
+               "colors are clipped."));
+        view->hide();
+        row->addWidget(view, 1);
+        m_charts.push_back(view);
+    }
+    connect(&m_pipeline, &Pipeline::analysisChanged, this, &HistogramPanel::showAnalysis);
+    showAnalysis();
+}
+
+void HistogramPanel::showAnalysis() {
+    const auto analysis = m_pipeline.analysis();
+    const std::size_t channels = analysis ? analysis->exemplar.histograms.size() : 0;
+    const ThemeColors& colors = themeColors();
+    for (std::size_t channel = 0; channel < m_charts.size(); ++channel) {
+        QChartView& view = *m_charts[channel];
+        view.setVisible(channel < channels);
+        if (channel >= channels)
+            continue;
+        auto* chart = new QChart;
+        chart->setMargins({0, 0, 0, 0});
+        chart->setBackgroundBrush(Qt::NoBrush);
+        chart->setTitle(channelName(channel, channels));
+        chart->setTitleBrush(colors.text);
+        chart->legend()->setLabelColor(colors.secondary);
+        chart->legend()->setAlignment(Qt::AlignBottom);
+        struct Line {
+            const TextureAnalysis* analysis;
+            QString name;
+            QColor color;
+        };
+        const std::array lines{Line{&analysis->exemplar, tr("Exemplar"), colors.text},
+                               Line{&analysis->gaussian, tr("Gaussian version"), colors.stale},
+                               Line{&analysis->noise, tr("Noise"), colors.accent}};
+        double highest = 0.0;
+        for (const Line& line : lines) {
+            if (channel >= line.analysis->histograms.size())
+                continue;
+            auto* series = outline(*line.analysis, channel);
+            series->setName(line.name);
+            series->setPen(QPen(line.color, 1.5));
+            chart->addSeries(series);
+            const auto& bins = line.analysis->histograms[channel];
+            highest = std::max(highest, *std::max_element(bins.begin(), bins.end()));
+        }
+        auto* values = new QValueAxis;
+        values->setRange(analysis->exemplar.histogramFrom, analysis->exemplar.histogramTo);
+        values->setTickType(QValueAxis::TicksDynamic);
+        values->setTickAnchor(0.0);
+        values->setTickInterval(0.5);
+        values->setLabelFormat(QStringLiteral("%.1f"));
+        values->setLabelsColor(colors.secondary);
+        values->setGridLineColor(colors.line);
+        values->setLineVisible(false);
+        auto* shares = new QValueAxis;
+        shares->setRange(0.0, std::max(highest * 1.05, 1e-6));
+        shares->setVisible(false);
+        chart->addAxis(values, Qt::AlignBottom);
+        chart->addAxis(shares, Qt::AlignLeft);
+        for (QAbstractSeries* series : chart->series()) {
+            series->attachAxis(values);
+            series->attachAxis(shares);
+        }
+        const std::unique_ptr<QChart> old(view.chart());
+        view.setChart(chart);
+        view.setBackgroundBrush(Qt::NoBrush);
+    }
+}
+
+void HistogramPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showAnalysis();
+}
+
+} // namespace txn::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/JobsPanel.h"
+
+#include <QHeaderView>
+#include <QLocale>
+#include <QProgressBar>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace txn::app {
+namespace {
+
+constexpr int kPollMs = 200;
+enum Column { What, Progress, Time };
+
+} // namespace
+
+JobsPanel::JobsPanel(JobRunner& runner, QWidget* parent)
+    : QWidget(parent), m_runner(runner), m_list(new QTreeWidget) {
+    setObjectName(QStringLiteral("jobsPanel"));
+    m_list->setObjectName(QStringLiteral("jobsList"));
+    m_list->setAccessibleName(tr("Work in progress"));
+    m_list->setToolTip(tr("What is being computed right now."));
+    m_list->setHeaderLabels({tr("Work"), tr("Progress"), tr("Time")});
+    m_list->setRootIsDecorated(false);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setSelectionMode(QAbstractItemView::NoSelection);
+    m_list->header()->setStretchLastSection(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_list);
+    m_poll.setInterval(kPollMs);
+    connect(&m_poll, &QTimer::timeout, this, &JobsPanel::showJobs);
+    connect(&m_runner, &JobRunner::jobsChanged, this, &JobsPanel::showJobs);
+    showJobs();
+}
+
+void JobsPanel::showJobs() {
+    const auto jobs = m_runner.infos();
+    if (jobs.empty())
+        m_poll.stop();
+    else if (!m_poll.isActive())
+        m_poll.start();
+    while (m_list->topLevelItemCount() > static_cast<int>(jobs.size()))
+        delete m_list->takeTopLevelItem(m_list->topLevelItemCount() - 1);
+    const QLocale locale;
+    for (int i = 0; i < static_cast<int>(jobs.size()); ++i) {
+        QTreeWidgetItem* item = m_list->topLevelItem(i);
+        if (item == nullptr) {
+            item = new QTreeWidgetItem(m_list);
+            auto* bar = new QProgressBar;
+            bar->setTextVisible(false);
+            bar->setFixedHeight(8);
+            m_list->setItemWidget(item, Progress, bar);
+        }
+        const JobRunner::Info& job = jobs[static_cast<std::size_t>(i)];
+        item->setText(What, job.title);
+        auto* bar = static_cast<QProgressBar*>(m_list->itemWidget(item, Progress));
+        bar->setRange(0, 100);
+        bar->setValue(static_cast<int>(job.progress * 100.0));
+        item->setText(
+            Time,
+            job.waiting
+                ? tr("waiting")
+                : tr("%1 s").arg(
+                      locale.toString(static_cast<double>(job.elapsedMs) / 1000.0, 'f', 1)));
+    }
+}
+
+} // namespace txn::app

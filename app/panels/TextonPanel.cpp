@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/TextonPanel.h"
+
+#include "app/panels/ErrorPlot.h"
+#include "app/pipeline/Pipeline.h"
+#include "app/widgets/ChoiceRow.h"
+#include "app/widgets/SeedField.h"
+#include "app/widgets/ValueSlider.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <array>
+#include <cmath>
+
+namespace txn::app {
+namespace {
+
+enum Shape { Square, Rectangle, Disc };
+constexpr std::array kOrders{0, 1, 3, 5};
+constexpr int kPollMs = 100;
+constexpr int kProgressSteps = 1000;
+
+ValueSlider::Range sideRange() {
+    return {8.0,
+            256.0,
+            64.0,
+            0,
+            ValueSlider::Scale::Logarithmic,
+            {8.0, 16.0, 32.0, 64.0, 128.0, 256.0},
+            TextonPanel::tr("px"),
+            TextonSettings::kMinSidePx,
+            TextonSettings::kMaxSidePx};
+}
+
+/// What an artist makes of the relative model error.
+QString inWords(double error) {
+    if (error <= 0.3)
+        return TextonPanel::tr("Very close to the material");
+    if (error <= 0.55)
+        return TextonPanel::tr("As close as two photos of this material");
+    if (error <= 0.75)
+        return TextonPanel::tr("Fair. A larger support may keep more of the grain");
+    return TextonPanel::tr("Long grain is lost. Try a larger support");
+}
+
+QString inSeconds(qint64 milliseconds) {
+    const qint64 seconds = (milliseconds + 999) / 1000;
+    if (seconds < 60)
+        return TextonPanel::tr("%n s left", nullptr, static_cast<int>(seconds));
+    return TextonPanel::tr("%n min left", nullptr, static_cast<int>((seconds + 59) / 60));
+}
+
+} // namespace
+
+TextonPanel::TextonPanel(ProjectDocument& document,
+                         Pipeline& pipeline,
+                         JobRunner& runner,
+                         QWidget* parent)
+    : QWidget(parent), m_document(document), m_pipeline(pipeline), m_runner(runner) {
+    setObjectName(QStringLiteral("textonPanel"));
+    build();
+    m_poll.setInterval(kPollMs);
+    connect(&m_poll, &QTimer::timeout, this, &TextonPanel::showProgress);
+    connect(&m_document, &ProjectDocument::projectChanged, this, &TextonPanel::showSettings);
+    connect(&m_pipeline, &Pipeline::textonChanged, this, &TextonPanel::showResult);
+    connect(&m_pipeline, &Pipeline::stateChanged, this, &TextonPanel::showProgress);
+    showSettings();
+    showResult();
+    showProgress();
+}
+
+void TextonPanel::change(const QString& text,
+                         const std::function<void(TextonSettings&)>& edit,
+                         Gesture gesture) {
+    m_document.change(
+        text,
+        [&](Project& project) { edit(project.texton); },
+        gesture);
+}
+
+QWidget* TextonPanel::buildResult() {
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_verdict = new QLabel;
+    m_verdict->setObjectName(QStringLiteral("textonVerdict"));
+    m_verdict->setWordWrap(true);
+    m_numbers = new QLabel;
+    m_numbers->setObjectName(QStringLiteral("textonNumbers"));
+    m_numbers->setProperty("role", QStringLiteral("secondary"));
+    m_numbers->setToolTip(
+        tr("The relative model error: 0 is the same texture. The method leaves about "
+           "0.46 of the photo's own randomness, so do not expect 0."));
+    m_progress = new QProgressBar;
+    m_progress->setObjectName(QStringLiteral("textonProgress"));
+    m_progress->setRange(0, kProgressSteps);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(4);
+    m_progress->setAccessibleName(tr("Progress of the texton"));
+    m_remaining = new QLabel;
+    m_remaining->setProperty("role", QStringLiteral("secondary"));
+    m_cancel = new QPushButton(tr("Cancel"));
+    m_cancel->setObjectName(QStringLiteral("textonCancel"));
+    m_cancel->setToolTip(
+        tr("Stop computing and go back to the last finished texton. Change anything to "
+           "start again."));
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_pipeline.isComputingTexton())
+            m_pipeline.cancelTexton();
+        else
+            m_pipeline.recomputeTexton();
+    });
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_remaining, 1);
+    row->addWidget(m_cancel);
+    column->addWidget(m_verdict);
+    column->addWidget(m_numbers);
+    column->addWidget(m_progress);
+    column->addLayout(row);
+    return box;
+}
+
+void TextonPanel::build() {
+    m_shape = new ChoiceRow(tr("Shape"), {tr("Square"), tr("Rectangle"), tr("Disc")});
+    m_shape->setObjectName(QStringLiteral("textonShape"));
+    m_shape->setToolTip(
+        tr("The outline of the texton. A square suits almost everything; a rectangle "
+           "follows long grain."));
+    connect(m_shape, &ChoiceRow::chosen, this, [this](int shape) {
+        change(tr("Texton shape"), [&](TextonSettings& texton) {
+            texton.disc = shape == Disc;
+            if (shape != Rectangle)
+                texton.support.height = texton.support.width;
+            else if (texton.support.height == texton.support.width)
+                texton.support.height =
+                    std::max(TextonSettings::kMinSidePx, texton.support.width / 2);
+        });
+    });
+
+    m_width = new ValueSlider(tr("Support"), sideRange());
+    m_width->setObjectName(QStringLiteral("textonSupport"));
+    m_width->setToolTip(tr("How large the texton is. Features longer than this get lost; larger "
+                           "takes longer to compute. Try 64 first, 128 for long grain."));
+    connect(m_width, &ValueSlider::valueEdited, this, [this](double value, Gesture gesture) {
+        change(
+            tr("Support"),
+            [&](TextonSettings& texton) {
+                const bool square = texton.disc || texton.support.width == texton.support.height;
+                texton.support.width = static_cast<int>(std::lround(value));
+                if (square)
+                    texton.support.height = texton.support.width;
+            },
+            gesture);
+    });
+    m_height = new ValueSlider(tr("Height"), sideRange());
+    m_height->setObjectName(QStringLiteral("textonSupportHeight"));
+    m_height->setToolTip(
+        tr("The height of a rectangular texton. Make it small where the grain runs "
+           "from left to right."));
+    connect(m_height, &ValueSlider::valueEdited, this, [this](double value, Gesture gesture) {
+        change(
+            tr("Support height"),
+            [&](TextonSettings& texton) {
+                texton.support.height = static_cast<int>(std::lround(value));
+            },
+            gesture);
+    });
+
+    m_order = new ChoiceRow(tr("Interpolation"),
+                            {tr("Nearest"), tr("Linear"), tr("Cubic"), tr("Quintic")});
+    m_order->setObjectName(QStringLiteral("textonOrder"));
+    m_order->setToolTip(
+        tr("How values between the texton's pixels are found. Linear is what graphics "
+           "cards do for free; cubic is smoother when magnified."));
+    connect(m_order, &ChoiceRow::chosen, this, [this](int index) {
+        change(tr("Interpolation"), [&](TextonSettings& texton) {
+            texton.interpolationOrder = kOrders[static_cast<std::size_t>(index)];
+        });
+    });
+
+    m_iterations = new ValueSlider(tr("Iterations"),
+                                   {5.0,
+                                    500.0,
+                                    50.0,
+                                    0,
+                                    ValueSlider::Scale::Logarithmic,
+                                    {10.0, 50.0, 100.0, 200.0},
+                                    {},
+                                    1.0,
+                                    100000.0});
+    m_iterations->setObjectName(QStringLiteral("textonIterations"));
+    m_iterations->setToolTip(
+        tr("How long the texton is refined. Watch the curve: where it runs flat, "
+           "more brings nothing."));
+    connect(m_iterations, &ValueSlider::valueEdited, this, [this](double value, Gesture gesture) {
+        change(
+            tr("Iterations"),
+            [&](TextonSettings& texton) {
+                texton.iterations = static_cast<int>(std::lround(value));
+            },
+            gesture);
+    });
+
+    m_momentum =
+        new ValueSlider(tr("Momentum"),
+                        {0.0, 0.99, 0.9, 2, ValueSlider::Scale::Linear, {}, {}, 0.0, 0.999});
+    m_momentum->setObjectName(QStringLiteral("textonMomentum"));
+    m_momentum->setToolTip(
+        tr("Gets there in fewer iterations. 0.9 is good; 0 is the plain method of the "
+           "papers."));
+    connect(m_momentum, &ValueSlider::valueEdited, this, [this](double value, Gesture gesture) {
+        change(
+            tr("Momentum"),
+            [&](TextonSettings& texton) { texton.momentum = value; },
+            gesture);
+    });
+
+    m_seed = new SeedField(tr("Seed"));
+    m_seed->setObjectName(QStringLiteral("textonSeed"));
+    m_seed->setToolTip(
+        tr("Another number gives another, equally good texton. Roll the dice, or lock "
+           "the one you like."));
+    connect(m_seed, &SeedField::seedEdited, this, [this](quint32 seed, Gesture gesture) {
+        change(
+            tr("Texton seed"),
+            [&](TextonSettings& texton) { texton.seed = Seed{seed}; },
+            gesture);
+    });
+    connect(m_seed, &SeedField::lockEdited, this, [this](bool locked) {
+        change(locked ? tr("Lock the texton seed") : tr("Unlock the texton seed"),
+               [&](TextonSettings& texton) { texton.seedLocked = locked; });
+    });
+
+    m_colors = new QCheckBox(tr("Exact colors"));
+    m_colors->setObjectName(QStringLiteral("textonColors"));
+    m_colors->setToolTip(
+        tr("Corrects the texton so that the noise has exactly the colors of the photo. "
+           "Leave it on unless you compare with the papers."));
+    connect(m_colors, &QCheckBox::clicked, this, [this](bool on) {
+        change(tr("Exact colors"), [&](TextonSettings& texton) { texton.colorCorrection = on; });
+    });
+
+    m_plot = new ErrorPlot;
+    m_plot->setObjectName(QStringLiteral("textonPlot"));
+    m_plot->setAccessibleName(tr("Relative model error against iterations"));
+    m_plot->setToolTip(
+        tr("The relative model error while the texton is refined. Lower is closer."));
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(4);
+    column->addWidget(buildResult());
+    column->addSpacing(12);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_width,
+                                                        m_shape,
+                                                        m_height,
+                                                        m_order,
+                                                        m_iterations,
+                                                        m_momentum,
+                                                        m_seed,
+                                                        m_colors})
+        column->addWidget(row);
+    column->addSpacing(12);
+    column->addWidget(m_plot);
+    column->addStretch();
+}
+
+void TextonPanel::showSettings() {
+    const Project& project = m_document.project();
+    const TextonSettings& texton = project.texton;
+    const bool rectangle = !texton.disc && texton.support.width != texton.support.height;
+    m_shape->setCurrent(texton.disc ? Disc : rectangle ? Rectangle : Square);
+    m_width->setValue(texton.support.width);
+    m_height->setValue(texton.support.height);
+    m_height->setVisible(rectangle);
+    for (std::size_t i = 0; i < kOrders.size(); ++i) {
+        if (kOrders[i] == texton.interpolationOrder)
+            m_order->setCurrent(static_cast<int>(i));
+    }
+    m_iterations->setValue(texton.iterations);
+    m_momentum->setValue(texton.momentum);
+    m_seed->setSeed(texton.seed.value);
+    m_seed->setLocked(texton.seedLocked);
+    m_colors->setChecked(texton.colorCorrection);
+    const bool open = project.source != nullptr;
+    for (QWidget* row : std::initializer_list<QWidget*>{m_width,
+                                                        m_shape,
+                                                        m_height,
+                                                        m_order,
+                                                        m_iterations,
+                                                        m_momentum,
+                                                        m_seed,
+                                                        m_colors})
+        row->setEnabled(open);
+}
+
+void TextonPanel::showResult() {
+    const auto result = m_pipeline.texton();
+    if (!result) {
+        m_verdict->setText(tr("Open a photo to compute its texton"));
+        m_numbers->setText(QStringLiteral(" "));
+        m_plot->showCurve({}, m_document.project().texton.iterations);
+        return;
+    }
+    const Size side = result->texton.support.size();
+    const QLocale locale;
+    if (result->imported) {
+        m_verdict->setText(tr("A texton from a file"));
+        m_numbers->setText(tr("%1 x %2 px").arg(side.width).arg(side.height));
+        m_plot->showCurve({}, 1);
+        return;
+    }
+    m_verdict->setText(inWords(result->relativeModelError));
+    m_numbers->setText(tr("Relative model error %1 after %2 iterations")
+                           .arg(locale.toString(result->relativeModelError, 'f', 3),
+                                locale.toString(result->iteration)));
+    m_plot->showCurve(result->curve, result->iterations);
+}
+
+void TextonPanel::showProgress() {
+    const auto info = m_runner.info(JobKind::Texton);
+    const bool busy = info.has_value();
+    if (busy && !m_poll.isActive())
+        m_poll.start();
+    else if (!busy)
+        m_poll.stop();
+    m_progress->setValue(busy ? static_cast<int>(info->progress * kProgressSteps) : 0);
+    m_remaining->setText(busy && info->remainingMs ? inSeconds(*info->remainingMs)
+                         : busy                    ? tr("Computing")
+                                                   : QString());
+    m_cancel->setText(busy ? tr("Cancel") : tr("Compute again"));
+    m_cancel->setEnabled(m_document.project().source != nullptr);
+}
+
+} // namespace txn::app

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/widgets/KeyMapOverlay.h"
+
+#include "app/look/Theme.h"
+#include "app/widgets/ActionRegistry.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace txn::app {
+namespace {
+
+constexpr int kMargin = 48;
+constexpr int kColumnWidth = 400;
+constexpr int kKeysWidth = 128;
+
+} // namespace
+
+void KeyMapOverlay::toggle(const ActionRegistry& actions, QWidget& window) {
+    if (auto* shown = window.findChild<KeyMapOverlay*>()) {
+        shown->close();
+        return;
+    }
+    auto* overlay = new KeyMapOverlay(actions, window);
+    overlay->setAttribute(Qt::WA_DeleteOnClose);
+    overlay->show();
+    overlay->raise();
+    overlay->setFocus();
+}
+
+KeyMapOverlay::KeyMapOverlay(const ActionRegistry& actions, QWidget& window) : QWidget(&window) {
+    setObjectName(QStringLiteral("keyMap"));
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("All keys"));
+    setGeometry(window.rect());
+    window.installEventFilter(this);
+    m_lines = {{tr("Wheel"), tr("Zoom at the mouse")},
+               {tr("Middle drag, Space drag"), tr("Move the picture")},
+               {tr("Left drag"), tr("Look around the ground or mesh")},
+               {tr("Hold `"), tr("See the exemplar instead")},
+               {tr("Hold X"), tr("See the difference, eightfold")},
+               {tr("Shift drag"), tr("Fine steps of a slider")},
+               {tr("Double-click"), tr("Default of a slider; one view only by its title")}};
+    for (const auto& entry : actions.entries()) {
+        QString text = entry.action->text();
+        text.remove(QLatin1Char('&'));
+        if (!entry.action->shortcut().isEmpty())
+            m_lines.append({entry.action->shortcut().toString(QKeySequence::NativeText), text});
+    }
+}
+
+void KeyMapOverlay::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), QColor(20, 20, 20, 225));
+    const int lineHeight = fontMetrics().height() + 8;
+    const int perColumn = std::max(1, (height() - 2 * kMargin) / lineHeight);
+    const auto columns = static_cast<int>((m_lines.size() + perColumn - 1) / perColumn);
+    const int left = std::max(16, (width() - columns * kColumnWidth) / 2);
+    for (int i = 0; i < m_lines.size(); ++i) {
+        const int x = left + (i / perColumn) * kColumnWidth;
+        const int y = kMargin + (i % perColumn) * lineHeight;
+        const QRect keys(x, y, kKeysWidth, lineHeight);
+        painter.setPen(darkColors().accent);
+        painter.drawText(keys,
+                         Qt::AlignRight | Qt::AlignVCenter,
+                         fontMetrics().elidedText(m_lines[i].keys, Qt::ElideRight, kKeysWidth));
+        painter.setPen(darkColors().text);
+        painter.drawText(QRect(x + kKeysWidth + 16, y, kColumnWidth - kKeysWidth - 32, lineHeight),
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(m_lines[i].text,
+                                                  Qt::ElideRight,
+                                                  kColumnWidth - kKeysWidth - 32));
+    }
+}
+
+void KeyMapOverlay::keyPressEvent(QKeyEvent*) {
+    close();
+}
+
+void KeyMapOverlay::mousePressEvent(QMouseEvent*) {
+    close();
+}
+
+bool KeyMapOverlay::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize)
+        setGeometry(static_cast<QWidget*>(watched)->rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace txn::app
