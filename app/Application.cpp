@@ -5,6 +5,7 @@
 #include "app/files/Autosave.h"
 #include "app/files/FileController.h"
 #include "app/files/RecoveryDialog.h"
+#include "app/look/Words.h"
 #include "app/widgets/MessageBar.h"
 
 #include <QStandardPaths>
@@ -65,9 +66,8 @@ void Application::recover(const RecoveredProject& copy) {
                         auto saved = readRecovered(copy);
                         return [this, copy, saved = std::move(saved)] {
                             if (!saved) {
-                                m_window->messages().show(
-                                    MessageBar::Kind::Problem,
-                                    QString::fromStdString(saved.error().message));
+                                m_window->messages().show(MessageBar::Kind::Problem,
+                                                          inWords(saved.error()));
                                 return;
                             }
                             m_window->files().recover(*saved, copy.originalPath);

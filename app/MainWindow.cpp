@@ -7,6 +7,7 @@
 #include "app/panels/ExemplarPanel.h"
 #include "app/panels/HistogramPanel.h"
 #include "app/panels/JobsPanel.h"
+#include "app/panels/JobsStatus.h"
 #include "app/panels/NoisePanel.h"
 #include "app/panels/SpectrumPanel.h"
 #include "app/panels/TextonPanel.h"
@@ -35,6 +36,8 @@ constexpr int kStateVersion = 1;
 constexpr QSize kFirstSize{1440, 900};
 constexpr int kSideWidth = 304;
 constexpr int kBottomHeight = 216;
+constexpr int kTextonHeight = 448;
+constexpr int kNoiseHeight = 404;
 
 } // namespace
 
@@ -174,6 +177,9 @@ void MainWindow::arrangeDocks() {
                 {kSideWidth, kSideWidth},
                 Qt::Horizontal);
     resizeDocks({dock("spectrumDock")}, {kBottomHeight}, Qt::Vertical);
+    resizeDocks({dock("textonDock"), dock("noiseDock")},
+                {kTextonHeight, kNoiseHeight},
+                Qt::Vertical);
 }
 
 void MainWindow::resetLayout() {
@@ -238,6 +244,7 @@ void MainWindow::createStatusBar() {
     m_renderer->setToolTip(tr("What draws the noise."));
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(m_probe, 1);
+    statusBar()->addPermanentWidget(new JobsStatus(m_runner));
     for (QLabel* label : {m_zoom, m_error, m_renderer})
         statusBar()->addPermanentWidget(label);
     connect(m_views, &ViewArea::probed, this, &MainWindow::showProbe);

@@ -33,6 +33,15 @@
 namespace txn::app {
 namespace {
 
+/// As in the window: what goes in, what can be tuned, what is looked at.
+constexpr std::array kDockOrder{"exemplarDock",
+                                "textonDock",
+                                "noiseDock",
+                                "spectrumDock",
+                                "histogramDock",
+                                "historyDock",
+                                "jobsDock"};
+
 QString sampleTitle(const QString& name) {
     const std::map<QString, QString> titles{
         {QStringLiteral("wood"), MainWindow::tr("Wood")},
@@ -89,6 +98,20 @@ void MainWindow::createFileActions() {
            tr("Save under another name."),
            QStringLiteral("Ctrl+Shift+S"),
            [this] { m_files->saveAs(); });
+    QAction* embed = action(
+        QStringLiteral("file.embed"),
+        tr("&Photo inside the project"),
+        tr("On, a project holds the photo itself; off, it only remembers where the photo is."),
+        QStringLiteral("Ctrl+Shift+I"),
+        [this] {
+            const bool link = !m_document.project().linked;
+            m_document.change(link ? tr("Link the photo") : tr("Photo inside the project"),
+                              [link](Project& project) { project.linked = link; });
+        });
+    embed->setCheckable(true);
+    const auto showEmbed = [this, embed] { embed->setChecked(!m_document.project().linked); };
+    connect(&m_document, &ProjectDocument::projectChanged, embed, showEmbed);
+    showEmbed();
     action(QStringLiteral("file.export"),
            tr("&Export..."),
            tr("Write textons, textures and shaders for other programs."),
@@ -140,7 +163,7 @@ void MainWindow::createEditActions() {
     action(QStringLiteral("edit.shortcuts"),
            tr("&Shortcuts..."),
            tr("Choose your own keys."),
-           {},
+           QStringLiteral("Ctrl+K"),
            [this] {
                auto* editor = new ShortcutEditor(*m_actions, this);
                editor->setAttribute(Qt::WA_DeleteOnClose);
@@ -271,16 +294,21 @@ void MainWindow::createViewActions() {
     isolate("view.channel1", tr("First channel (red)"), "Shift+1", 0);
     isolate("view.channel2", tr("Second channel (green)"), "Shift+2", 1);
     isolate("view.channel3", tr("Third channel (blue)"), "Shift+3", 2);
-    const auto surround = [this](const char* id, const QString& text, Surround choice) {
-        action(QLatin1String(id), text, tr("What is around the pictures."), {}, [this, choice] {
-            m_settings.setSurround(choice);
-            m_views->update();
-            emit m_document.viewChanged();
-        });
-    };
-    surround("view.surroundGrey", tr("Gray surround"), Surround::Grey);
-    surround("view.surroundBlack", tr("Black surround"), Surround::Black);
-    surround("view.surroundWhite", tr("White surround"), Surround::White);
+    const auto surround =
+        [this](const char* id, const QString& text, const char* key, Surround choice) {
+            action(QLatin1String(id),
+                   text,
+                   tr("What is around the pictures."),
+                   QLatin1String(key),
+                   [this, choice] {
+                       m_settings.setSurround(choice);
+                       m_views->update();
+                       emit m_document.viewChanged();
+                   });
+        };
+    surround("view.surroundGrey", tr("Gray surround"), "Shift+G", Surround::Grey);
+    surround("view.surroundBlack", tr("Black surround"), "Shift+B", Surround::Black);
+    surround("view.surroundWhite", tr("White surround"), "Shift+W", Surround::White);
 }
 
 void MainWindow::createTextonActions() {
@@ -300,20 +328,25 @@ void MainWindow::createTextonActions() {
         tr("Another random result of what is under the mouse: Gaussian version, texton or noise."),
         QStringLiteral("R"),
         [this] { newSeed(); });
-    const auto method =
-        [this](const char* id, const QString& text, const QString& tip, GaussianMethod choice) {
-            action(QLatin1String(id), text, tip, {}, [this, choice] {
-                m_document.change(tr("Gaussian method"),
-                                  [choice](Project& project) { project.gaussian.method = choice; });
-            });
-        };
+    const auto method = [this](const char* id,
+                               const QString& text,
+                               const QString& tip,
+                               const char* key,
+                               GaussianMethod choice) {
+        action(QLatin1String(id), text, tip, QLatin1String(key), [this, choice] {
+            m_document.change(tr("Gaussian method"),
+                              [choice](Project& project) { project.gaussian.method = choice; });
+        });
+    };
     method("texton.adsn",
-           tr("Gaussian version by white &noise (ADSN)"),
+           tr("Gaussian version: &ADSN"),
            tr("Random phases and random strengths: what texton noise comes to."),
+           "A",
            GaussianMethod::Adsn);
     method("texton.rpn",
-           tr("Gaussian version by random &phases (RPN)"),
+           tr("Gaussian version: &RPN"),
            tr("Random phases only: keeps the exact spectrum of the photo."),
+           "P",
            GaussianMethod::RandomPhase);
 }
 
@@ -335,10 +368,14 @@ void MainWindow::newSeed() {
 }
 
 void MainWindow::createWindowActions() {
-    for (const auto& [id, dock] : m_docks) {
-        QAction* toggle = dock->toggleViewAction();
+    for (std::size_t i = 0; i < kDockOrder.size(); ++i) {
+        QAction* toggle = m_docks.at(QLatin1String(kDockOrder[i]))->toggleViewAction();
         toggle->setToolTip(tr("Show or hide this panel."));
-        m_actions->adopt(QStringLiteral("window.") + id, toggle);
+        toggle->setWhatsThis(toggle->toolTip());
+        m_actions->adopt(QStringLiteral("window.") + QLatin1String(kDockOrder[i]),
+                         toggle,
+                         QStringLiteral("Alt+%1").arg(i + 1));
+        addAction(toggle);
     }
     // In a view only: elsewhere, Tab goes to the next control.
     QAction* hide =
@@ -357,7 +394,7 @@ void MainWindow::createWindowActions() {
     action(QStringLiteral("window.reset"),
            tr("&Reset layout"),
            tr("Put all panels back where they belong."),
-           {},
+           QStringLiteral("Ctrl+Shift+R"),
            [this] { resetLayout(); });
     QAction* full = action(QStringLiteral("window.fullScreen"),
                            tr("&Full screen"),
@@ -365,15 +402,27 @@ void MainWindow::createWindowActions() {
                            QStringLiteral("F11"),
                            [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     full->setCheckable(true);
-    const auto theme = [this](const char* id, const QString& text, ThemeChoice choice) {
-        action(QLatin1String(id), text, tr("The colors of the window."), {}, [this, choice] {
-            m_settings.setTheme(choice);
-            applyTheme(*qApp, choice);
-        });
-    };
-    theme("window.themeDark", tr("&Dark"), ThemeChoice::Dark);
-    theme("window.themeLight", tr("&Light"), ThemeChoice::Light);
-    theme("window.themeSystem", tr("As the &system"), ThemeChoice::System);
+    const auto theme =
+        [this](const char* id, const QString& text, const char* key, ThemeChoice choice) {
+            action(QLatin1String(id),
+                   text,
+                   tr("The colors of the window."),
+                   QLatin1String(key),
+                   [this, choice] {
+                       m_settings.setTheme(choice);
+                       applyTheme(*qApp, choice);
+                   });
+        };
+    theme("window.themeDark", tr("&Dark"), "Ctrl+Alt+D", ThemeChoice::Dark);
+    theme("window.themeLight", tr("&Light"), "Ctrl+Alt+L", ThemeChoice::Light);
+    int count = 0;
+    for (const QString& code : availableLanguages())
+        action(QStringLiteral("window.language.") + code,
+               languageName(code),
+               tr("The language of the window, from the next start on."),
+               QStringLiteral("Ctrl+Alt+%1").arg(++count),
+               [this, code] { chooseLanguage(code); });
+    theme("window.themeSystem", tr("As the &system"), "Ctrl+Alt+S", ThemeChoice::System);
 }
 
 void MainWindow::createHelpActions() {
@@ -396,7 +445,7 @@ void MainWindow::createHelpActions() {
         QStringLiteral("help.about"),
         tr("&About Texton Studio"),
         tr("Version, method and license."),
-        {},
+        QStringLiteral("Ctrl+F1"),
         [this] {
             auto* box =
                 new QMessageBox(QMessageBox::NoIcon,
@@ -409,8 +458,10 @@ void MainWindow::createHelpActions() {
                 "(2014, "
                 "2017). Free software under the GNU General Public License, version 3 or later."));
             box->setIconPixmap(QIcon(QStringLiteral(":/icons/texton-studio.svg")).pixmap(64, 64));
+            box->setObjectName(QStringLiteral("aboutBox"));
             box->setAttribute(Qt::WA_DeleteOnClose);
-            box->open();
+            box->setModal(false);
+            box->show();
         });
 }
 
@@ -429,7 +480,15 @@ void MainWindow::createMenus() {
     m_recentMenu = file->addMenu(tr("Open &recent"));
     m_sampleMenu = file->addMenu(tr("Open a sa&mple"));
     fill(file,
-         {"", "file.save", "file.saveAs", "", "file.export", "file.screenshot", "", "file.quit"});
+         {"",
+          "file.save",
+          "file.saveAs",
+          "file.embed",
+          "",
+          "file.export",
+          "file.screenshot",
+          "",
+          "file.quit"});
     fill(menuBar()->addMenu(tr("&Edit")),
          {"edit.undo", "edit.redo", "", "edit.paste", "", "edit.shortcuts"});
     QMenu* view = menuBar()->addMenu(tr("&View"));
@@ -456,16 +515,14 @@ void MainWindow::createMenus() {
     fill(menuBar()->addMenu(tr("&Texton")),
          {"texton.compute", "texton.cancel", "texton.newSeed", "", "texton.adsn", "texton.rpn"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));
-    for (const auto& [id, dock] : m_docks)
-        window->addAction(dock->toggleViewAction());
+    for (const char* id : kDockOrder)
+        window->addAction(m_docks.at(QLatin1String(id))->toggleViewAction());
     fill(window, {"", "window.hideDocks", "window.next", "window.reset", "window.fullScreen", ""});
     fill(window->addMenu(tr("&Theme")),
          {"window.themeDark", "window.themeLight", "window.themeSystem"});
     QMenu* languages = window->addMenu(tr("&Language"));
-    for (const QString& code : availableLanguages()) {
-        QAction* each = languages->addAction(QLocale(code).nativeLanguageName());
-        connect(each, &QAction::triggered, this, [this, code] { chooseLanguage(code); });
-    }
+    for (const QString& code : availableLanguages())
+        languages->addAction(m_actions->find(QStringLiteral("window.language.") + code));
     fill(menuBar()->addMenu(tr("&Help")),
          {"help.palette", "help.keys", "help.whatsThis", "", "help.about"});
 

@@ -73,6 +73,9 @@ int main(int argc, char** argv) {
         return 1;
     }
 
+    // Whatever else draws with OpenGL in this process, such as a platform plug-in, keeps its
+    // objects when its window is docked elsewhere. Our own noise has a context of its own.
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Texton Studio"));
     QApplication::setDesktopFileName(QStringLiteral("texton-studio"));

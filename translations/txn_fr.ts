@@ -25,6 +25,56 @@
     </message>
 </context>
 <context>
+    <name>Warnings</name>
+    <message>
+        <source>%1 has changed since the project was saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing; a sphere takes its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>A value is out of its range; please choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is not there; please choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be read; please open another copy of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be written; please choose another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is too large; please choose a smaller picture, part or size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This cannot be done with such a file; please choose another kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sizes do not fit together; please choose another support or part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is all one color, or has values that are no numbers; please choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>txn::app::Autosave</name>
     <message>
         <source>Keeping a copy</source>
@@ -648,6 +698,17 @@
     </message>
 </context>
 <context>
+    <name>txn::app::JobsStatus</name>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the work is. The Jobs panel lists all of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>txn::app::KeyMapOverlay</name>
     <message>
         <source>All keys</source>
@@ -706,7 +767,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Default of a slider; one view only by its title</source>
+        <source>Slider: default; title: one view</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1077,15 +1138,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gaussian version by white &amp;noise (ADSN)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Random phases and random strengths: what texton noise comes to.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gaussian version by random &amp;phases (RPN)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1270,6 +1323,34 @@
     </message>
     <message>
         <source>%1 cannot be written; please choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Photo inside the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On, a project holds the photo itself; off, it only remembers where the photo is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link the photo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photo inside the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian version: &amp;ADSN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian version: &amp;RPN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The language of the window, from the next start on.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1470,35 +1551,7 @@
 <context>
     <name>txn::app::PictureView</name>
     <message>
-        <source>Exemplar</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gaussian version</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Texton</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Noise</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 fps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture in this view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What this view shows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is still an older result; the new one is being computed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1511,6 +1564,18 @@
     </message>
     <message>
         <source>A texton from a file has no Gaussian version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 x %2 px</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1870,6 +1935,73 @@
     </message>
     <message>
         <source>Compute again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>txn::app::ViewTitle</name>
+    <message>
+        <source>Exemplar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture in this view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture right of the border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this view shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown right of the border that you can drag.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method of the Gaussian version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ADSN: random phases and strengths, what texton noise comes to. RPN: random phases only, keeps the exact spectrum of the photo.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ADSN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RPN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another Gaussian version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll the dice for another Gaussian version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is still an older result; the new one is being computed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Older result</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

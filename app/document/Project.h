@@ -68,6 +68,7 @@ struct NoiseSettings {
 struct Project {
     std::shared_ptr<const Source> source;
     std::shared_ptr<const TextonAsset> importedTexton;
+    bool linked = false; ///< project files tell where the picture is instead of holding it
     ExemplarEdit edit;
     GaussianSettings gaussian;
     TextonSettings texton;

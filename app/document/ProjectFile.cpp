@@ -6,6 +6,7 @@
 
 #include <QCborMap>
 #include <QCborValue>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -16,6 +17,10 @@ namespace {
 
 const QString kFormat = QStringLiteral("texton-studio-project");
 constexpr int kVersion = 1;
+
+struct Warnings {
+    Q_DECLARE_TR_FUNCTIONS(Warnings)
+};
 
 std::string named(const QString& path) {
     return quoted(std::filesystem::path(QFile::encodeName(path).toStdString()));
@@ -160,7 +165,7 @@ readSource(const CborReader& reader, const QString& folder, QStringList& warning
     auto source = openSource(QDir(folder).absoluteFilePath(link));
     if (source && (*source)->hash != reader.bytes("sha256"))
         warnings.append(
-            QStringLiteral("%1 has changed since the project was saved").arg((*source)->name));
+            Warnings::tr("%1 has changed since the project was saved.").arg((*source)->name));
     return source;
 }
 
@@ -177,6 +182,7 @@ QByteArray encodeProject(const Project& project,
         map[QStringLiteral("exemplar")] = sourceValue(*project.source, storage, projectFolder);
     if (project.importedTexton)
         map[QStringLiteral("texton")] = textonValue(*project.importedTexton);
+    map[QStringLiteral("linked")] = project.linked;
     map[QStringLiteral("edit")] = editValue(project.edit);
     map[QStringLiteral("gaussian")] = gaussianValue(project.gaussian);
     map[QStringLiteral("settings")] = settingsValue(project.texton);
@@ -213,6 +219,7 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path)
             return damaged(asset.error().message);
         saved.project.importedTexton = std::make_shared<const TextonAsset>(std::move(*asset));
     }
+    saved.project.linked = root.flag("linked", false);
     bool good = root.isGood();
     good = readEdit(root.map("edit"), saved.project.edit) && good;
     good = readGaussian(root.map("gaussian"), saved.project.gaussian) && good;
@@ -226,16 +233,14 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path)
         const QString file = QDir(folder).absoluteFilePath(mesh);
         if (!QFileInfo(file).isFile())
             saved.warnings.append(
-                QStringLiteral("%1 is missing; a sphere takes its place").arg(mesh));
+                Warnings::tr("%1 is missing; a sphere takes its place.").arg(mesh));
         mesh = QFileInfo(file).isFile() ? file : NoiseSettings{}.mesh;
     }
     return saved;
 }
 
-Result<void> saveProject(const Project& project,
-                         const ViewState& view,
-                         ExemplarStorage storage,
-                         const QString& path) {
+Result<void> saveProject(const Project& project, const ViewState& view, const QString& path) {
+    const auto storage = project.linked ? ExemplarStorage::Linked : ExemplarStorage::Embedded;
     QSaveFile file(path);
     const QByteArray bytes = encodeProject(project, view, storage, QFileInfo(path).absolutePath());
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
@@ -249,7 +254,8 @@ Result<SavedProject> openProject(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return Error{file.exists() ? ErrorCode::Unreadable : ErrorCode::NotFound,
-                     named(path) + " cannot be read: " + file.errorString().toStdString()};
+                     named(path) + " cannot be read: " + file.errorString().toStdString() +
+                         "; please open another copy of it"};
     return decodeProject(file.readAll(), path);
 }
 

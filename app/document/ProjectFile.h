@@ -27,11 +27,10 @@ enum class ExemplarStorage { Embedded, Linked };
 /// that has gone; the message names the file.
 [[nodiscard]] Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path);
 
-/// Writes aside and renames: the old file or the new one, whole.
-[[nodiscard]] Result<void> saveProject(const Project& project,
-                                       const ViewState& view,
-                                       ExemplarStorage storage,
-                                       const QString& path);
+/// Writes aside and renames: the old file or the new one, whole. Embeds the exemplar unless the
+/// project is to be linked.
+[[nodiscard]] Result<void>
+saveProject(const Project& project, const ViewState& view, const QString& path);
 [[nodiscard]] Result<SavedProject> openProject(const QString& path);
 
 } // namespace txn::app

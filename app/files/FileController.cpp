@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/FileController.h"
 
+#include "app/look/Words.h"
 #include "app/settings/Settings.h"
 
 #include <QApplication>
@@ -30,7 +31,7 @@ FileController::FileController(ProjectDocument& document,
 
 void FileController::tell(const Error& error) {
     if (error.code != ErrorCode::Cancelled)
-        emit problem(QString::fromStdString(error.message));
+        emit problem(inWords(error));
 }
 
 void FileController::remember(const QString& path) {
@@ -217,8 +218,7 @@ void FileController::saveTo(const QString& path, const std::function<void()>& th
                     tr("Saving"),
                     [this, path, then, project = m_document.project(), view = m_document.view()](
                         JobContext&) -> Delivery {
-                        const auto saved =
-                            saveProject(project, view, ExemplarStorage::Embedded, path);
+                        const auto saved = saveProject(project, view, path);
                         return [this, saved, path, then, project] {
                             if (!saved) {
                                 tell(saved.error());

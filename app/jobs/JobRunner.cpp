@@ -54,7 +54,7 @@ class JobRunner::Job final : public JobContext, public std::enable_shared_from_t
         Info info{m_kind, m_title, !m_running, m_progress, {}, 0};
         if (m_running) {
             info.elapsedMs = m_clock.elapsed();
-            if (info.progress > 0.02 && info.elapsedMs > 300)
+            if (info.progress > 0.0 && info.elapsedMs > 300)
                 info.remainingMs = static_cast<qint64>(static_cast<double>(info.elapsedMs) *
                                                        (1.0 / info.progress - 1.0));
         }

@@ -12,6 +12,8 @@ namespace {
 
 /// Often enough to see the texton form, seldom enough to cost little.
 constexpr qint64 kPublishEveryMs = 80;
+/// From one point of the error curve to the next.
+constexpr double kCurveSpacing = 1.25;
 
 std::shared_ptr<TextonResult> toResult(Texton texton) {
     // One pixel of the picture per coefficient, whatever the limit.
@@ -35,12 +37,17 @@ computeTexton(const ExemplarResult& exemplar,
                      txn::quoted(std::filesystem::path(exemplar.exemplar.name)) + ": " +
                          solver.error().message};
     std::vector<ErrorPoint> curve;
+    // Measuring costs half an iteration, so the points get sparser as the curve gets flatter.
+    const auto measure = [&] {
+        if (curve.empty() || curve.back().iteration != solver->iteration())
+            curve.push_back({solver->iteration(), solver->relativeModelError()});
+    };
     const auto result = [&] {
         Texton texton = solver->texton();
         if (settings.colorCorrection)
             texton = colorCorrected(texton, exemplar.model.covariance());
         auto made = toResult(std::move(texton));
-        curve.push_back({solver->iteration(), solver->relativeModelError()});
+        measure();
         made->curve = curve;
         made->iteration = solver->iteration();
         made->iterations = settings.iterations;
@@ -56,6 +63,8 @@ computeTexton(const ExemplarResult& exemplar,
         if (context.cancelled())
             return Error{ErrorCode::Cancelled, "cancelled"};
         solver->step();
+        if (curve.empty() || solver->iteration() >= kCurveSpacing * curve.back().iteration)
+            measure();
         context.setProgress(static_cast<double>(solver->iteration()) / settings.iterations);
         if (!solver->done() && watch.elapsed() - published >= kPublishEveryMs) {
             publish(result());

@@ -31,6 +31,16 @@ void installLanguage(QApplication& application, const QString& language) {
         QApplication::installTranslator(own);
 }
 
+QString languageName(const QString& language) {
+    const QLocale locale(language);
+    if (locale.language() == QLocale::English) // Qt says which one, which does not matter here
+        return QStringLiteral("English");
+    QString name = locale.nativeLanguageName();
+    if (!name.isEmpty())
+        name[0] = name[0].toUpper();
+    return name;
+}
+
 QStringList availableLanguages() {
     QStringList languages{QStringLiteral("en")};
     for (const QString& file : QDir(kFolder).entryList({kPrefix + QStringLiteral("*.qm")})) {

@@ -12,6 +12,9 @@ namespace txn::app {
 /// there is no translation, English. Call before any window is made.
 void installLanguage(QApplication& application, const QString& language);
 
+/// Its name in itself, such as "Deutsch" for "de".
+[[nodiscard]] QString languageName(const QString& language);
+
 /// Codes of the languages that there are translations for, English first.
 [[nodiscard]] QStringList availableLanguages();
 

@@ -29,12 +29,24 @@ double straighteningAngle(QPointF a, QPointF b) {
 CropCanvas::CropCanvas(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+}
+
+int CropCanvas::heightForWidth(int width) const {
+    constexpr double kFlattest = 0.4;
+    const double ratio =
+        m_size.width > 0 ? static_cast<double>(m_size.height) / m_size.width : 0.75;
+    return static_cast<int>(std::lround(width * std::clamp(ratio, kFlattest, 1.0)));
 }
 
 void CropCanvas::setPicture(const QImage& overview, Size size) {
     m_overview = overview;
-    m_size = size;
+    if (m_size != size) {
+        m_size = size;
+        updateGeometry();
+    }
     update();
 }
 

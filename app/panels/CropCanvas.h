@@ -24,7 +24,9 @@ class CropCanvas : public QWidget {
     void setCrop(const std::optional<Rect>& crop);
     void setTool(Tool tool);
 
-    QSize sizeHint() const override { return {272, 204}; }
+    QSize sizeHint() const override { return {kWidth, heightForWidth(kWidth)}; }
+    /// As high as the picture is, no higher than wide.
+    int heightForWidth(int width) const override;
     QSize minimumSizeHint() const override { return {160, 120}; }
 
   signals:
@@ -41,6 +43,8 @@ class CropCanvas : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    static constexpr int kWidth = 272;
+
     /// Which sides of the rectangle move with the mouse.
     struct Grip {
         bool left = false, top = false, right = false, bottom = false;

@@ -41,7 +41,7 @@ ErrorPlot::ErrorPlot(QWidget* parent)
     setChart(plot);
     setRenderHint(QPainter::Antialiasing);
     setFrameShape(QFrame::NoFrame);
-    setFixedHeight(132);
+    setFixedHeight(136);
     setFocusPolicy(Qt::NoFocus);
     applyColors();
 }

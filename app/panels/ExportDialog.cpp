@@ -2,6 +2,7 @@
 #include "app/panels/ExportDialog.h"
 
 #include "app/export/ExportJob.h"
+#include "app/look/Words.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
 
@@ -521,7 +522,7 @@ void ExportDialog::run(const ExportPlan& plan, const ExportSnapshot& snapshot) {
             auto report = runExport(plan, snapshot, context);
             return [this, report = std::move(report)] {
                 if (!report) {
-                    m_result->setText(QString::fromStdString(report.error().message));
+                    m_result->setText(inWords(report.error()));
                     return;
                 }
                 QString text =

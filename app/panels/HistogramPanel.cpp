@@ -8,8 +8,9 @@
 #include <QChartView>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QLegendMarker>
+#include <QLabel>
 #include <QLineSeries>
+#include <QVBoxLayout>
 #include <QValueAxis>
 #include <algorithm>
 #include <array>
@@ -46,11 +47,18 @@ QLineSeries* outline(const TextureAnalysis& analysis, std::size_t channel) {
 } // namespace
 
 HistogramPanel::HistogramPanel(Pipeline& pipeline, QWidget* parent)
-    : QWidget(parent), m_pipeline(pipeline) {
+    : QWidget(parent), m_pipeline(pipeline), m_legend(new QLabel) {
     setObjectName(QStringLiteral("histogramPanel"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 8, 8, 8);
+    m_legend->setObjectName(QStringLiteral("histogramLegend"));
+    m_legend->setAlignment(Qt::AlignCenter);
+    m_legend->setProperty("role", QStringLiteral("secondary"));
+    auto* row = new QHBoxLayout;
     row->setSpacing(8);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(4);
+    column->addLayout(row, 1);
+    column->addWidget(m_legend);
     for (std::size_t i = 0; i < kMostCharts; ++i) {
         auto* view = new QChartView;
         view->setObjectName(QStringLiteral("histogram%1").arg(i));
@@ -71,6 +79,8 @@ HistogramPanel::HistogramPanel(Pipeline& pipeline, QWidget* parent)
 void HistogramPanel::showAnalysis() {
     const auto analysis = m_pipeline.analysis();
     const std::size_t channels = analysis ? analysis->exemplar.histograms.size() : 0;
+    showLegend();
+    m_legend->setVisible(channels > 0);
     const ThemeColors& colors = themeColors();
     for (std::size_t channel = 0; channel < m_charts.size(); ++channel) {
         QChartView& view = *m_charts[channel];
@@ -82,23 +92,21 @@ void HistogramPanel::showAnalysis() {
         chart->setBackgroundBrush(Qt::NoBrush);
         chart->setTitle(channelName(channel, channels));
         chart->setTitleBrush(colors.text);
-        chart->legend()->setLabelColor(colors.secondary);
-        chart->legend()->setAlignment(Qt::AlignBottom);
+        chart->legend()->hide();
+        // The Gaussian version first: it lies below the noise, which should be the same.
         struct Line {
             const TextureAnalysis* analysis;
-            QString name;
-            QColor color;
+            QPen pen;
         };
-        const std::array lines{Line{&analysis->exemplar, tr("Exemplar"), colors.text},
-                               Line{&analysis->gaussian, tr("Gaussian version"), colors.stale},
-                               Line{&analysis->noise, tr("Noise"), colors.accent}};
+        const std::array lines{Line{&analysis->gaussian, QPen(colors.stale, 3.5)},
+                               Line{&analysis->exemplar, QPen(colors.text, 1.5)},
+                               Line{&analysis->noise, QPen(colors.accent, 1.5)}};
         double highest = 0.0;
         for (const Line& line : lines) {
             if (channel >= line.analysis->histograms.size())
                 continue;
             auto* series = outline(*line.analysis, channel);
-            series->setName(line.name);
-            series->setPen(QPen(line.color, 1.5));
+            series->setPen(line.pen);
             chart->addSeries(series);
             const auto& bins = line.analysis->histograms[channel];
             highest = std::max(highest, *std::max_element(bins.begin(), bins.end()));
@@ -125,6 +133,17 @@ void HistogramPanel::showAnalysis() {
         view.setChart(chart);
         view.setBackgroundBrush(Qt::NoBrush);
     }
+}
+
+void HistogramPanel::showLegend() {
+    const ThemeColors& colors = themeColors();
+    const auto entry = [](const QColor& color, const QString& name) {
+        return QStringLiteral("<span style='color:%1'>\u25ac</span>&nbsp;%2")
+            .arg(color.name(), name.toHtmlEscaped());
+    };
+    m_legend->setText(entry(colors.text, tr("Exemplar")) + QStringLiteral("&nbsp;&nbsp;&nbsp; ") +
+                      entry(colors.stale, tr("Gaussian version")) +
+                      QStringLiteral("&nbsp;&nbsp;&nbsp; ") + entry(colors.accent, tr("Noise")));
 }
 
 void HistogramPanel::changeEvent(QEvent* event) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 class QChartView;
+class QLabel;
 
 namespace txn::app {
 
@@ -22,8 +23,10 @@ class HistogramPanel : public QWidget {
 
   private:
     void showAnalysis();
+    void showLegend();
 
     Pipeline& m_pipeline;
+    QLabel* m_legend;                  ///< one for all channels
     std::vector<QChartView*> m_charts; ///< one per channel, up to four
 };
 

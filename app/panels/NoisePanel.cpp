@@ -192,14 +192,14 @@ void NoisePanel::build() {
     column->setSpacing(4);
     for (QWidget* row : std::initializer_list<QWidget*>{m_impacts, m_process, m_seed})
         column->addWidget(row);
-    column->addSpacing(12);
+    column->addSpacing(8);
     for (QWidget* row :
          std::initializer_list<QWidget*>{m_scene, m_mesh, m_lighting, m_filter, m_scale})
         column->addWidget(row);
-    column->addSpacing(12);
+    column->addSpacing(8);
     for (QWidget* row : std::initializer_list<QWidget*>{m_contrast, m_brightness, m_clipped})
         column->addWidget(row);
-    column->addSpacing(12);
+    column->addSpacing(8);
     column->addWidget(m_speed);
     column->addWidget(m_screenshot);
     column->addStretch();
@@ -238,8 +238,8 @@ void NoisePanel::showSettings() {
                                                      : tr("From a file..."));
     m_mesh->setCurrent(static_cast<int>(known - kMeshes.begin()));
     const bool onMesh = noise.scene == NoiseScene::Mesh || noise.scene == NoiseScene::Surface;
-    m_mesh->setEnabled(onMesh);
-    m_lighting->setEnabled(onMesh);
+    m_mesh->setVisible(onMesh);
+    m_lighting->setVisible(onMesh);
     m_lighting->setChecked(noise.lighting);
     m_filter->setCurrent(static_cast<int>(noise.filter));
     m_scale->setValue(noise.scale);

@@ -101,6 +101,9 @@ QWidget* TextonPanel::buildResult() {
     m_progress->setObjectName(QStringLiteral("textonProgress"));
     m_progress->setRange(0, kProgressSteps);
     m_progress->setTextVisible(false);
+    QSizePolicy kept = m_progress->sizePolicy(); // nothing jumps when work begins or ends
+    kept.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(kept);
     m_progress->setFixedHeight(4);
     m_progress->setAccessibleName(tr("Progress of the texton"));
     m_remaining = new QLabel;
@@ -117,11 +120,12 @@ QWidget* TextonPanel::buildResult() {
             m_pipeline.recomputeTexton();
     });
     auto* row = new QHBoxLayout;
-    row->addWidget(m_remaining, 1);
+    row->setSpacing(8);
+    row->addWidget(m_progress, 1);
+    row->addWidget(m_remaining);
     row->addWidget(m_cancel);
     column->addWidget(m_verdict);
     column->addWidget(m_numbers);
-    column->addWidget(m_progress);
     column->addLayout(row);
     return box;
 }
@@ -256,7 +260,7 @@ void TextonPanel::build() {
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(4);
     column->addWidget(buildResult());
-    column->addSpacing(12);
+    column->addSpacing(8);
     for (QWidget* row : std::initializer_list<QWidget*>{m_width,
                                                         m_shape,
                                                         m_height,
@@ -266,7 +270,7 @@ void TextonPanel::build() {
                                                         m_seed,
                                                         m_colors})
         column->addWidget(row);
-    column->addSpacing(12);
+    column->addSpacing(8);
     column->addWidget(m_plot);
     column->addStretch();
 }
@@ -330,6 +334,7 @@ void TextonPanel::showProgress() {
         m_poll.start();
     else if (!busy)
         m_poll.stop();
+    m_progress->setVisible(busy);
     m_progress->setValue(busy ? static_cast<int>(info->progress * kProgressSteps) : 0);
     m_remaining->setText(busy && info->remainingMs ? inSeconds(*info->remainingMs)
                          : busy                    ? tr("Computing")

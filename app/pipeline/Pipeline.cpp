@@ -4,6 +4,7 @@
 #include "app/jobs/AnalysisJob.h"
 #include "app/jobs/ExemplarJob.h"
 #include "app/jobs/TextonJob.h"
+#include "app/look/Words.h"
 #include "core/mesh/BuiltinMeshes.h"
 #include "core/mesh/MeshIo.h"
 
@@ -37,7 +38,7 @@ void Pipeline::update() {
 
 void Pipeline::fail(const Error& error) {
     if (error.code != ErrorCode::Cancelled)
-        emit failed(QString::fromStdString(error.message));
+        emit failed(inWords(error));
 }
 
 void Pipeline::updateExemplar() {

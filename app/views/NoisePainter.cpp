@@ -69,10 +69,6 @@ void NoisePainter::loseContext() {
     }
 }
 
-double& NoisePainter::nanosecondsPerPixel(const NoiseRequest& request) {
-    return m_cost[request.view.index()];
-}
-
 double NoisePainter::scaleFor(const NoiseRequest& request, double milliseconds) const {
     const double known = m_cost[request.view.index()];
     const double cost =
@@ -84,6 +80,10 @@ double NoisePainter::scaleFor(const NoiseRequest& request, double milliseconds) 
 Result<std::optional<NoiseFrame>>
 NoisePainter::draw(const NoiseRequest& request, double scale, const std::function<bool()>& stop) {
     using Clock = std::chrono::steady_clock;
+    // Uploading a texton or a mesh costs the same at any size, and must not count as cost per
+    // pixel.
+    const bool warm = request.texton == m_texton &&
+                      (!std::holds_alternative<MeshView>(request.view) || request.mesh == m_mesh);
     if (request.texton != m_texton) {
         m_texton = request.texton;
         m_shownTexton = m_texton->channels() <= kColors
@@ -100,9 +100,11 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
         return std::optional<NoiseFrame>();
     const double nanoseconds =
         std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-    double& cost = nanosecondsPerPixel(request);
-    const double now = nanoseconds / static_cast<double>(size.area());
-    cost = cost > 0.0 ? 0.7 * cost + 0.3 * now : now;
+    if (warm) {
+        double& cost = m_cost[request.view.index()];
+        const double now = nanoseconds / static_cast<double>(size.area());
+        cost = cost > 0.0 ? 0.7 * cost + 0.3 * now : now;
+    }
 
     NoiseFrame frame;
     frame.image = toQImage(**image, request.display);

@@ -36,7 +36,6 @@ class NoisePainter {
                                             const std::function<bool()>& stop);
     Result<std::optional<Image>>
     drawOnProcessor(const NoiseRequest& request, Size size, double scale);
-    double& nanosecondsPerPixel(const NoiseRequest& request);
 
     std::optional<HeadlessContext> m_context;
     NoiseRenderer m_renderer;

@@ -5,15 +5,14 @@
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
 #include "app/views/ViewCamera.h"
+#include "app/views/ViewTitle.h"
 #include "core/image/ColorTransfer.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRandomGenerator>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -21,39 +20,28 @@
 namespace txn::app {
 namespace {
 
-constexpr int kTitleHeight = 24;
 constexpr int kWipeGrab = 6;
 constexpr double kOrbitPerPixel = 0.008;
 constexpr double kWheelStep = 1.189207115002721; // 2^(1/4)
 constexpr double kHighestPitch = 1.55;
 constexpr int kDifferenceGain = 8;
 
-const PicturePyramid* pyramidOf(const Pipeline& pipeline, Picture picture) {
+/// Null where there is no such picture (yet), and for the noise.
+std::shared_ptr<const PicturePyramid> pyramidOf(const Pipeline& pipeline, Picture picture) {
+    const auto pictureOf = [](const auto& result) {
+        return result ? std::shared_ptr<const PicturePyramid>(result, &result->picture) : nullptr;
+    };
     switch (picture) {
     case Picture::Exemplar:
-        return pipeline.exemplar() ? &pipeline.exemplar()->picture : nullptr;
+        return pictureOf(pipeline.exemplar());
     case Picture::Gaussian:
-        return pipeline.gaussian() ? &pipeline.gaussian()->picture : nullptr;
+        return pictureOf(pipeline.gaussian());
     case Picture::Texton:
-        return pipeline.texton() ? &pipeline.texton()->picture : nullptr;
+        return pictureOf(pipeline.texton());
     case Picture::Noise:
         break;
     }
     return nullptr;
-}
-
-QString nameOf(Picture picture) {
-    switch (picture) {
-    case Picture::Exemplar:
-        return PictureView::tr("Exemplar");
-    case Picture::Gaussian:
-        return PictureView::tr("Gaussian version");
-    case Picture::Texton:
-        return PictureView::tr("Texton");
-    case Picture::Noise:
-        break;
-    }
-    return PictureView::tr("Noise");
 }
 
 /// a - b, eight times, around mid grey; where either is missing, mid grey.
@@ -84,18 +72,16 @@ PictureView::PictureView(ProjectDocument& document,
                          int place,
                          QWidget* parent)
     : QWidget(parent), m_document(document), m_pipeline(pipeline), m_settings(settings),
-      m_feed(new NoiseFeed(noise, this)), m_place(place) {
+      m_feed(new NoiseFeed(noise, this)), m_place(place), m_title(new ViewTitle(place, this)) {
     setObjectName(QStringLiteral("view%1").arg(place));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    buildTitle();
+    connectTitle();
     connect(m_feed, &NoiseFeed::frameReady, this, [this] {
         update();
+        m_title->setInfo(info());
         emit noiseFrameShown(m_feed->frame());
-        const QLocale locale;
-        m_info->setText(tr("%1 fps").arg(
-            locale.toString(1000.0 / std::max(m_feed->frame().milliseconds, 0.1), 'f', 0)));
     });
     connect(m_feed, &NoiseFeed::failed, this, &PictureView::problem);
     connect(&m_document, &ProjectDocument::projectChanged, this, &PictureView::refresh);
@@ -109,33 +95,19 @@ PictureView::PictureView(ProjectDocument& document,
     refresh();
 }
 
-void PictureView::buildTitle() {
-    m_title = new QWidget(this);
-    m_title->setObjectName(QStringLiteral("viewTitle"));
-    m_title->installEventFilter(this);
-    m_chooser = new QComboBox;
-    m_chooser->setObjectName(QStringLiteral("viewPicture%1").arg(m_place));
-    m_chooser->setAccessibleName(tr("Picture in this view"));
-    m_chooser->setToolTip(tr("What this view shows."));
-    m_chooser->setFrame(false);
-    m_chooser->setFocusPolicy(Qt::TabFocus);
-    for (const Picture each : kPictures)
-        m_chooser->addItem(nameOf(each));
-    connect(m_chooser, &QComboBox::activated, this, [this](int index) {
-        emit pictureChosen(kPictures[static_cast<std::size_t>(index)]);
+void PictureView::connectTitle() {
+    connect(m_title, &ViewTitle::pictureChosen, this, &PictureView::pictureChosen);
+    connect(m_title, &ViewTitle::secondChosen, this, &PictureView::secondChosen);
+    connect(m_title, &ViewTitle::doubleClicked, this, &PictureView::titleDoubleClicked);
+    connect(m_title, &ViewTitle::gaussianMethodChosen, this, [this](GaussianMethod method) {
+        m_document.change(tr("Gaussian method"),
+                          [method](Project& project) { project.gaussian.method = method; });
     });
-    m_stale = new QLabel(QStringLiteral("\u25cf"));
-    m_stale->setProperty("role", QStringLiteral("stale"));
-    m_stale->setToolTip(tr("This is still an older result; the new one is being computed."));
-    m_info = new QLabel;
-    m_info->setProperty("role", QStringLiteral("secondary"));
-    auto* row = new QHBoxLayout(m_title);
-    row->setContentsMargins(4, 0, 8, 0);
-    row->setSpacing(4);
-    row->addWidget(m_chooser);
-    row->addWidget(m_stale);
-    row->addStretch();
-    row->addWidget(m_info);
+    connect(m_title, &ViewTitle::gaussianSeedWanted, this, [this] {
+        const Seed seed{QRandomGenerator::global()->generate()};
+        m_document.change(tr("Gaussian seed"),
+                          [seed](Project& project) { project.gaussian.seed = seed; });
+    });
 }
 
 Picture PictureView::picture() const {
@@ -159,8 +131,16 @@ void PictureView::setDifference(bool difference) {
     update();
 }
 
+void PictureView::setPanning(bool panning) {
+    m_panning = panning;
+    if (panning)
+        setCursor(Qt::OpenHandCursor);
+    else if (m_drag != Drag::Pan)
+        unsetCursor();
+}
+
 QRect PictureView::area() const {
-    return rect().adjusted(0, kTitleHeight, 0, 0);
+    return rect().adjusted(0, ViewTitle::kHeight, 0, 0);
 }
 
 QSize PictureView::screen() const {
@@ -170,8 +150,22 @@ QSize PictureView::screen() const {
 }
 
 Size PictureView::sizeOf(Picture picture) const {
-    const PicturePyramid* pyramid = pyramidOf(m_pipeline, picture);
-    return pyramid != nullptr ? pyramid->image().size() : Size{};
+    const auto pyramid = pyramidOf(m_pipeline, picture);
+    return pyramid ? pyramid->image().size() : Size{};
+}
+
+QString PictureView::info() const {
+    if (m_second)
+        return {};
+    if (picture() == Picture::Noise) {
+        const NoiseFrame& frame = m_feed->frame();
+        if (frame.image.isNull() || !m_pipeline.noiseTexton())
+            return {};
+        return tr("%1 fps").arg(
+            QLocale().toString(1000.0 / std::max(frame.milliseconds, 0.1), 'f', 0));
+    }
+    const Size size = sizeOf(picture());
+    return size.width > 0 ? tr("%1 x %2 px").arg(size.width).arg(size.height) : QString();
 }
 
 Size PictureView::referenceSize() const {
@@ -184,12 +178,10 @@ bool PictureView::orbits() const {
 }
 
 void PictureView::refresh() {
-    m_chooser->setCurrentIndex(static_cast<int>(picture()));
-    m_chooser->setVisible(!m_second);
-    m_stale->setVisible(m_pipeline.isStale(picture()) ||
-                        (m_second && m_pipeline.isStale(*m_second)));
-    const bool noise = picture() == Picture::Noise || m_second == Picture::Noise;
-    m_info->setVisible(noise && m_pipeline.noiseTexton());
+    m_title->showPictures(picture(), m_second);
+    m_title->showGaussian(m_document.project().gaussian.method);
+    m_title->setStale(m_pipeline.isStale(picture()) || (m_second && m_pipeline.isStale(*m_second)));
+    m_title->setInfo(info());
     setAccessibleName(nameOf(picture()));
     requestNoise();
     update();
@@ -218,7 +210,7 @@ void PictureView::requestNoise() {
     m_feed->request(request);
 }
 
-QImage PictureView::drawnNoise() {
+QImage PictureView::drawnNoise() const {
     const NoiseFrame& frame = m_feed->frame();
     QImage result(screen(), QImage::Format_ARGB32_Premultiplied);
     result.fill(Qt::transparent);
@@ -245,15 +237,19 @@ QImage PictureView::drawn(Picture picture) {
     if (picture == Picture::Noise)
         return drawnNoise();
     const ViewState& view = m_document.view();
-    const PicturePyramid* pyramid = pyramidOf(m_pipeline, picture);
-    if (pyramid == nullptr) {
+    const auto pyramid = pyramidOf(m_pipeline, picture);
+    if (!pyramid) {
         QImage nothing(screen(), QImage::Format_ARGB32_Premultiplied);
         nothing.fill(Qt::transparent);
         return nothing;
     }
     PictureWindow window = pictureWindow(view, screen(), pyramid->image().size());
     window.tiled = view.tiled && picture != Picture::Texton;
-    return pyramid->draw(window, {view.exposure, view.channel});
+    const DisplaySettings display{view.exposure, view.channel};
+    Drawn& last = m_drawn[picture == m_second ? 1 : 0];
+    if (last.pyramid != pyramid || last.window != window || last.display != display)
+        last = {pyramid, window, display, pyramid->draw(window, display)};
+    return last.image;
 }
 
 double PictureView::wipeX() const {
@@ -307,7 +303,7 @@ void PictureView::paintHint(QPainter& painter) {
 
 void PictureView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(QRect(0, 0, width(), kTitleHeight), themeColors().panel);
+    painter.fillRect(QRect(0, 0, width(), ViewTitle::kHeight), themeColors().panel);
     painter.fillRect(area(), surroundColor(m_settings.surround()));
     QImage image = composed();
     image.setDevicePixelRatio(devicePixelRatioF());
@@ -315,16 +311,6 @@ void PictureView::paintEvent(QPaintEvent*) {
     if (m_second && !m_flipped) {
         const int x = static_cast<int>(std::lround(wipeX()));
         painter.fillRect(QRect(x, area().top(), 1, area().height()), Qt::white);
-        const QFontMetrics metrics = painter.fontMetrics();
-        const auto label = [&](const QString& text, int left) {
-            const QRect box(left, area().bottom() - 28, metrics.horizontalAdvance(text) + 16, 22);
-            painter.fillRect(box, QColor(0, 0, 0, 150));
-            painter.setPen(Qt::white);
-            painter.drawText(box, Qt::AlignCenter, text);
-        };
-        label(nameOf(picture()), 8);
-        const QString second = nameOf(*m_second);
-        label(second, width() - 24 - metrics.horizontalAdvance(second));
     }
     paintHint(painter);
     if (hasFocus()) {
@@ -335,16 +321,8 @@ void PictureView::paintEvent(QPaintEvent*) {
 }
 
 void PictureView::resizeEvent(QResizeEvent*) {
-    m_title->setGeometry(0, 0, width(), kTitleHeight);
+    m_title->setGeometry(0, 0, width(), ViewTitle::kHeight);
     requestNoise();
-}
-
-bool PictureView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_title && event->type() == QEvent::MouseButtonDblClick) {
-        emit titleDoubleClicked();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void PictureView::mousePressEvent(QMouseEvent* event) {
@@ -352,7 +330,7 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
     const bool left = event->button() == Qt::LeftButton;
     if (m_second && left && std::abs(event->position().x() - wipeX()) <= kWipeGrab)
         m_drag = Drag::Wipe;
-    else if (event->button() == Qt::MiddleButton || (left && m_space))
+    else if (event->button() == Qt::MiddleButton || (left && m_panning))
         m_drag = Drag::Pan;
     else if (left && orbits())
         m_drag = Drag::Orbit;
@@ -384,8 +362,8 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
     case Drag::None:
         setCursor(m_second && std::abs(event->position().x() - wipeX()) <= kWipeGrab
                       ? Qt::SplitHCursor
-                  : m_space ? Qt::OpenHandCursor
-                            : Qt::ArrowCursor);
+                  : m_panning ? Qt::OpenHandCursor
+                              : Qt::ArrowCursor);
         break;
     }
     probe(event->position());
@@ -430,10 +408,6 @@ void PictureView::keyPressEvent(QKeyEvent* event) {
         m_document.changeView([&](ViewState& view) { pan(view, QPointF(x, y)); });
     };
     switch (event->key()) {
-    case Qt::Key_Space:
-        m_space = true;
-        setCursor(Qt::OpenHandCursor);
-        return;
     case Qt::Key_Left:
         move(kStep, 0.0);
         return;
@@ -449,15 +423,6 @@ void PictureView::keyPressEvent(QKeyEvent* event) {
     default:
         QWidget::keyPressEvent(event);
     }
-}
-
-void PictureView::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        m_space = false;
-        unsetCursor();
-        return;
-    }
-    QWidget::keyReleaseEvent(event);
 }
 
 void PictureView::probe(QPointF position) {
@@ -478,8 +443,8 @@ void PictureView::probe(QPointF position) {
         sampleX = static_cast<int>(point.x() * image->width() / screen().width());
         sampleY = static_cast<int>(point.y() * image->height() / screen().height());
     } else {
-        const PicturePyramid* pyramid = pyramidOf(m_pipeline, picture);
-        if (pyramid == nullptr)
+        const auto pyramid = pyramidOf(m_pipeline, picture);
+        if (!pyramid)
             return;
         image = &pyramid->image();
         place = pictureAt(m_document.view(), screen(), image->size(), point);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/display/PicturePyramid.h"
 #include "app/document/ProjectDocument.h"
 #include "app/views/NoiseService.h"
 
 #include <QWidget>
+#include <array>
+#include <memory>
 #include <vector>
-
-class QComboBox;
-class QLabel;
 
 namespace txn::app {
 
 class Pipeline;
 class Settings;
+class ViewTitle;
 
 /// The values of one pixel of a picture.
 struct ProbeInfo {
@@ -45,6 +46,8 @@ class PictureView : public QWidget {
     void setFlipped(bool flipped);
     /// While on, the difference to the exemplar, times 8, around mid grey.
     void setDifference(bool difference);
+    /// While on, the left button moves the picture.
+    void setPanning(bool panning);
 
     /// Of the picture area, in device pixels.
     QSize screen() const;
@@ -59,8 +62,9 @@ class PictureView : public QWidget {
     void probed(const ProbeInfo& info);
     void probeLeft();
     void noiseFrameShown(const NoiseFrame& frame);
-    /// The artist chose another picture for this place.
+    /// The artist chose another picture for this place, or for what is right of the border.
     void pictureChosen(Picture picture);
+    void secondChosen(Picture picture);
     void titleDoubleClicked();
     void problem(const QString& message);
 
@@ -73,19 +77,18 @@ class PictureView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     enum class Drag { None, Pan, Orbit, Wipe };
 
-    void buildTitle();
+    void connectTitle();
     void refresh();
     void requestNoise();
     QRect area() const;
     QImage drawn(Picture picture);
-    QImage drawnNoise();
+    QImage drawnNoise() const;
     QImage composed();
+    QString info() const;
     void paintHint(QPainter& painter);
     Size referenceSize() const;
     Size sizeOf(Picture picture) const;
@@ -101,14 +104,20 @@ class PictureView : public QWidget {
     std::optional<Picture> m_second;
     bool m_flipped = false;
     bool m_difference = false;
-    bool m_space = false;
+    bool m_panning = false;
     Drag m_drag = Drag::None;
     QPointF m_last;
 
-    QWidget* m_title = nullptr;
-    QComboBox* m_chooser = nullptr;
-    QLabel* m_info = nullptr;
-    QLabel* m_stale = nullptr;
+    /// What was drawn last, since most repaints change nothing about it.
+    struct Drawn {
+        std::shared_ptr<const PicturePyramid> pyramid;
+        PictureWindow window;
+        DisplaySettings display;
+        QImage image;
+    };
+    std::array<Drawn, 2> m_drawn; ///< left and right of the border
+
+    ViewTitle* m_title;
 };
 
 } // namespace txn::app

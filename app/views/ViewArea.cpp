@@ -12,6 +12,13 @@
 namespace txn::app {
 namespace {
 
+/// Side by side and wipe compare the same two pictures.
+constexpr std::size_t kSecondPlace = 1;
+
+bool compares(ViewLayout layout) {
+    return layout == ViewLayout::SideBySide || layout == ViewLayout::Wipe;
+}
+
 std::size_t placesOf(ViewLayout layout) {
     switch (layout) {
     case ViewLayout::Quad:
@@ -47,6 +54,9 @@ ViewArea::ViewArea(ProjectDocument& document,
         connect(view, &PictureView::pictureChosen, this, [this, place](Picture picture) {
             choose(place, picture);
         });
+        connect(view, &PictureView::secondChosen, this, [this](Picture picture) {
+            choose(kSecondPlace, picture);
+        });
         connect(view, &PictureView::titleDoubleClicked, this, [this, place] { maximize(place); });
     }
     connect(&m_document, &ProjectDocument::viewChanged, this, &ViewArea::arrange);
@@ -66,9 +76,7 @@ void ViewArea::arrange() {
     if (m_fitted && (view.centerX != 0.0 || view.centerY != 0.0))
         m_fitted = false;
     const bool wipe = view.layout == ViewLayout::Wipe;
-    m_views[0]->setSecond(
-        wipe ? std::optional(view.shown[3] == view.shown[0] ? view.shown[1] : view.shown[3])
-             : std::nullopt);
+    m_views[0]->setSecond(wipe ? std::optional(view.shown[kSecondPlace]) : std::nullopt);
     if (m_arranged == view.layout)
         return;
     m_arranged = view.layout;
@@ -92,10 +100,9 @@ void ViewArea::arrange() {
 
 void ViewArea::setLayoutKind(ViewLayout layout) {
     m_document.changeView([layout](ViewState& view) {
-        // Side by side compares what goes in with what comes out.
-        if (layout == ViewLayout::SideBySide && view.layout != layout &&
-            view.shown[1] == Picture::Gaussian && view.shown[0] == Picture::Exemplar)
-            std::swap(view.shown[1], view.shown[3]);
+        // At first, what goes in is compared with what comes out.
+        if (compares(layout) && !compares(view.layout) && view.shown == kPictures)
+            std::swap(view.shown[kSecondPlace], view.shown[3]);
         if (layout == ViewLayout::Quad)
             view.shown = kPictures;
         view.layout = layout;
@@ -169,23 +176,51 @@ QImage ViewArea::screenshotOfNoise() {
 }
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
-    const bool press = event->type() == QEvent::KeyPress;
-    if (!press && event->type() != QEvent::KeyRelease)
-        return QWidget::eventFilter(watched, event);
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->isAutoRepeat() || key->modifiers() != Qt::NoModifier ||
-        (key->key() != Qt::Key_QuoteLeft && key->key() != Qt::Key_X))
-        return QWidget::eventFilter(watched, event);
-    // A release ends it wherever the mouse is by then.
-    for (PictureView* view : m_views) {
-        if (press && view != viewUnderMouse())
-            continue;
-        if (key->key() == Qt::Key_QuoteLeft)
-            view->setFlipped(press);
-        else
-            view->setDifference(press);
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+        if (holdKey(*static_cast<QKeyEvent*>(event)))
+            return true;
+        break;
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+        m_byKeyboard = false;
+        break;
+    default:
+        break;
     }
     return QWidget::eventFilter(watched, event);
+}
+
+bool ViewArea::holdKey(const QKeyEvent& event) {
+    const bool press = event.type() == QEvent::KeyPress;
+    if (event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab || event.key() == Qt::Key_F6)
+        m_byKeyboard = true;
+    if (event.modifiers() != Qt::NoModifier ||
+        (event.key() != Qt::Key_QuoteLeft && event.key() != Qt::Key_X &&
+         event.key() != Qt::Key_Space))
+        return false;
+    PictureView* under = viewUnderMouse();
+    // Who types into a field means the letter, and who got to a button by the keyboard wants to
+    // press it, wherever the mouse was left.
+    const QWidget* focus = QApplication::focusWidget();
+    const bool types = focus != nullptr && focus->testAttribute(Qt::WA_InputMethodEnabled);
+    if (press && (under == nullptr || types || (m_byKeyboard && event.key() == Qt::Key_Space)))
+        return false;
+    if (event.isAutoRepeat())
+        return under != nullptr;
+    // A release ends it wherever the mouse is by then.
+    for (PictureView* view : m_views) {
+        if (press && view != under)
+            continue;
+        if (event.key() == Qt::Key_QuoteLeft)
+            view->setFlipped(press);
+        else if (event.key() == Qt::Key_X)
+            view->setDifference(press);
+        else
+            view->setPanning(press);
+    }
+    return press;
 }
 
 void ViewArea::resizeEvent(QResizeEvent*) {

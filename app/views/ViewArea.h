@@ -43,6 +43,9 @@ class ViewArea : public QWidget {
 
   private:
     void arrange();
+    /// Keys that act as long as they are held, on the view under the mouse, wherever the focus is.
+    /// Whether it was one.
+    bool holdKey(const QKeyEvent& event);
     PictureView* viewUnderMouse() const;
     PictureView& mainView() const { return *m_views.front(); }
     void choose(std::size_t place, Picture picture);
@@ -54,7 +57,8 @@ class ViewArea : public QWidget {
     std::array<PictureView*, 4> m_views{};
     std::optional<ViewLayout> m_arranged;
     ViewLayout m_beforeMaximizing = ViewLayout::Quad;
-    bool m_fitted = false; ///< and not moved since
+    bool m_byKeyboard = false; ///< the focus was moved by keys, not by the mouse
+    bool m_fitted = false;     ///< and not moved since
     Size m_fittedSize;
 };
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/widgets/ChoiceRow.h"
 
+#include "app/widgets/RowLabel.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 
 namespace txn::app {
 
 ChoiceRow::ChoiceRow(const QString& label, const QStringList& choices, QWidget* parent)
     : QWidget(parent), m_box(new QComboBox) {
-    auto* text = new QLabel(label);
-    text->setBuddy(m_box);
     m_box->addItems(choices);
     m_box->setAccessibleName(label);
     // The wheel scrolls the panel; it changes a choice only once that was asked for.
@@ -20,8 +19,8 @@ ChoiceRow::ChoiceRow(const QString& label, const QStringList& choices, QWidget* 
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
-    row->addWidget(text, 2);
-    row->addWidget(m_box, 3);
+    row->addWidget(new RowLabel(label, m_box));
+    row->addWidget(m_box, 1);
     setFocusProxy(m_box);
     connect(m_box, &QComboBox::activated, this, &ChoiceRow::chosen);
 }

@@ -11,8 +11,10 @@ namespace txn::app {
 namespace {
 
 constexpr int kMargin = 48;
-constexpr int kColumnWidth = 400;
-constexpr int kKeysWidth = 128;
+constexpr int kColumnWidth = 440;
+constexpr int kKeysWidth = 176;
+constexpr int kGapWidth = 16;
+constexpr int kTextWidth = kColumnWidth - kKeysWidth - 2 * kGapWidth;
 
 } // namespace
 
@@ -40,7 +42,7 @@ KeyMapOverlay::KeyMapOverlay(const ActionRegistry& actions, QWidget& window) : Q
                {tr("Hold `"), tr("See the exemplar instead")},
                {tr("Hold X"), tr("See the difference, eightfold")},
                {tr("Shift drag"), tr("Fine steps of a slider")},
-               {tr("Double-click"), tr("Default of a slider; one view only by its title")}};
+               {tr("Double-click"), tr("Slider: default; title: one view")}};
     for (const auto& entry : actions.entries()) {
         QString text = entry.action->text();
         text.remove(QLatin1Char('&'));
@@ -53,23 +55,26 @@ void KeyMapOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(20, 20, 20, 225));
     const int lineHeight = fontMetrics().height() + 8;
-    const int perColumn = std::max(1, (height() - 2 * kMargin) / lineHeight);
-    const auto columns = static_cast<int>((m_lines.size() + perColumn - 1) / perColumn);
+    // As few columns as fit, all of about one length.
+    const int longest = std::max(1, (height() - 2 * kMargin) / lineHeight);
+    const auto lines = static_cast<int>(m_lines.size());
+    const int columns = std::max((lines + longest - 1) / longest,
+                                 std::min(3, std::max(1, (width() - 32) / kColumnWidth)));
+    const int perColumn = (lines + columns - 1) / columns;
+    const int top = std::max(kMargin, (height() - perColumn * lineHeight) / 2);
     const int left = std::max(16, (width() - columns * kColumnWidth) / 2);
     for (int i = 0; i < m_lines.size(); ++i) {
         const int x = left + (i / perColumn) * kColumnWidth;
-        const int y = kMargin + (i % perColumn) * lineHeight;
+        const int y = top + (i % perColumn) * lineHeight;
         const QRect keys(x, y, kKeysWidth, lineHeight);
         painter.setPen(darkColors().accent);
         painter.drawText(keys,
                          Qt::AlignRight | Qt::AlignVCenter,
                          fontMetrics().elidedText(m_lines[i].keys, Qt::ElideRight, kKeysWidth));
         painter.setPen(darkColors().text);
-        painter.drawText(QRect(x + kKeysWidth + 16, y, kColumnWidth - kKeysWidth - 32, lineHeight),
+        painter.drawText(QRect(x + kKeysWidth + kGapWidth, y, kTextWidth, lineHeight),
                          Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(m_lines[i].text,
-                                                  Qt::ElideRight,
-                                                  kColumnWidth - kKeysWidth - 32));
+                         fontMetrics().elidedText(m_lines[i].text, Qt::ElideRight, kTextWidth));
     }
 }
 

@@ -2,9 +2,9 @@
 #include "app/widgets/SeedField.h"
 
 #include "app/look/Theme.h"
+#include "app/widgets/RowLabel.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QRandomGenerator>
 #include <QToolButton>
@@ -18,8 +18,6 @@ constexpr quint32 kNiceSeeds = 10000; ///< dice give numbers that can be told ov
 
 SeedField::SeedField(const QString& label, Lock lock, QWidget* parent)
     : QWidget(parent), m_field(new QLineEdit), m_dice(new QToolButton) {
-    auto* text = new QLabel(label);
-    text->setBuddy(m_field);
     m_field->setObjectName(QStringLiteral("field"));
     m_field->setAccessibleName(label);
     m_field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -32,8 +30,9 @@ SeedField::SeedField(const QString& label, Lock lock, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    row->addWidget(text, 1);
-    row->addWidget(m_field);
+    row->addWidget(new RowLabel(label, m_field));
+    row->addSpacing(4);
+    row->addWidget(m_field, 1);
     row->addWidget(m_dice);
     if (lock == Lock::Shown) {
         m_lock = new QToolButton;

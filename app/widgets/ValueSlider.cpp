@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/widgets/ValueSlider.h"
 
+#include "app/widgets/RowLabel.h"
 #include "app/widgets/SliderTrack.h"
 #include "app/widgets/Sum.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <algorithm>
@@ -15,16 +15,13 @@
 namespace txn::app {
 namespace {
 
-constexpr int kLabelWidth = 112;
 constexpr int kFieldWidth = 64;
 
 } // namespace
 
 ValueSlider::ValueSlider(const QString& label, Range range, QWidget* parent)
     : QWidget(parent), m_range(std::move(range)), m_value(m_range.standard),
-      m_label(new QLabel(label)), m_track(new SliderTrack(*this)), m_field(new QLineEdit) {
-    m_label->setFixedWidth(kLabelWidth);
-    m_label->setBuddy(m_field);
+      m_track(new SliderTrack(*this)), m_field(new QLineEdit) {
     m_field->setFixedWidth(kFieldWidth);
     m_field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_field->setObjectName(QStringLiteral("field"));
@@ -34,8 +31,8 @@ ValueSlider::ValueSlider(const QString& label, Range range, QWidget* parent)
     m_field->installEventFilter(this);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
-    row->addWidget(m_label);
+    row->setSpacing(8);
+    row->addWidget(new RowLabel(label, m_field));
     row->addWidget(m_track, 1);
     row->addWidget(m_field);
     setFocusProxy(m_track);

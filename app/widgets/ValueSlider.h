@@ -6,7 +6,6 @@
 #include <QWidget>
 #include <vector>
 
-class QLabel;
 class QLineEdit;
 
 namespace txn::app {
@@ -57,7 +56,6 @@ class ValueSlider : public QWidget {
 
     Range m_range;
     double m_value = 0.0;
-    QLabel* m_label = nullptr;
     SliderTrack* m_track = nullptr;
     QLineEdit* m_field = nullptr;
 };

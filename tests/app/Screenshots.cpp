@@ -2,8 +2,11 @@
 // Writes pictures of the program's main states into a folder; see script/screenshots.
 #include "app/Application.h"
 #include "app/MainWindow.h"
+#include "app/files/FileController.h"
 #include "app/look/Language.h"
 #include "app/look/Theme.h"
+#include "app/panels/NoisePanel.h"
+#include "app/panels/TextonPanel.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/ActionRegistry.h"
 
@@ -57,13 +60,11 @@ class Photographer {
         found->raise();
     }
     void scene(NoiseScene scene) {
-        m_studio->document().change(QStringLiteral("View"),
+        m_studio->document().change(NoisePanel::tr("Noise view"),
                                     [scene](Project& project) { project.noise.scene = scene; });
     }
     void openSample(const char* name) {
-        const auto source = sampleSource(QLatin1String(name));
-        m_studio->document().change(QStringLiteral("Open"),
-                                    [&](Project& project) { project.source = *source; });
+        m_studio->window().files().openSample(QLatin1String(name));
     }
     /// Everything computed and the noise drawn in full.
     bool settle() {
@@ -105,7 +106,7 @@ bool takeAll(QApplication& application, const QDir& folder) {
         good = photographer.settle() && good;
         photographer.take("first-start");
 
-        studio.document().change(QStringLiteral("Iterations"), [](Project& p) {
+        studio.document().change(TextonPanel::tr("Iterations"), [](Project& p) {
             p.texton.iterations = 20000;
             p.texton.support = {128, 128};
         });

@@ -33,6 +33,7 @@ class Dice {
 void roll(Project& p, ViewState& v, Dice& dice) {
     if (dice.pick(0, 1) == 1)
         p.edit.crop = Rect{dice.pick(0, 9), dice.pick(0, 9), {dice.pick(1, 30), dice.pick(1, 30)}};
+    p.linked = dice.pick(0, 1) == 1;
     p.edit.straightenDegrees = dice.number(-45.0, 45.0);
     if (dice.pick(0, 1) == 1)
         p.edit.flattenRadiusPx = dice.number(1.0, 500.0);
@@ -125,7 +126,7 @@ class TestProjectFile : public QObject {
             roll(project, view, dice);
             project.source = *source;
             const QString path = m_folder.filePath("a.txnproj");
-            TXN_OK(saveProject(project, view, ExemplarStorage::Embedded, path));
+            TXN_OK(saveProject(project, view, path));
             const auto opened = openProject(path);
             TXN_OK(opened);
             QVERIFY(sameSettings(opened->project, project));
@@ -144,7 +145,8 @@ class TestProjectFile : public QObject {
         TXN_OK(source);
         Project project;
         project.source = *source;
-        TXN_OK(saveProject(project, {}, ExemplarStorage::Linked, first.filePath("w.txnproj")));
+        project.linked = true;
+        TXN_OK(saveProject(project, {}, first.filePath("w.txnproj")));
         QFile file(first.filePath("w.txnproj"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(!file.readAll().contains(first.path().toUtf8()));
@@ -154,6 +156,7 @@ class TestProjectFile : public QObject {
         const auto moved = openProject(second.filePath("w.txnproj"));
         TXN_OK(moved);
         QVERIFY(moved->warnings.isEmpty());
+        QVERIFY(moved->project.linked);
         QFile picture(second.filePath("wood.png"));
         QVERIFY(picture.open(QIODevice::Append) && picture.write("x") == 1);
         picture.close();
@@ -216,7 +219,7 @@ class TestProjectFile : public QObject {
     }
 
     void whatCannotBeSavedSaysSoAndHurtsNothing() {
-        const auto saved = saveProject({}, {}, ExemplarStorage::Embedded, "/nowhere/a.txnproj");
+        const auto saved = saveProject({}, {}, "/nowhere/a.txnproj");
         TXN_FAILS_WITH(saved, ErrorCode::Unwritable);
         QVERIFY(saved.error().message.find("a.txnproj") != std::string::npos);
     }
