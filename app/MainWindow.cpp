@@ -89,7 +89,10 @@ MainWindow::MainWindow(const Parts& parts)
     restoreState(m_settings.windowState(), kStateVersion);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // While everything that hears of it still lives.
+    hide();
+}
 
 QDockWidget* MainWindow::addDock(const QString& id,
                                  const QString& title,

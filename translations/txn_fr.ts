@@ -2,2007 +2,2004 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
-    <name>HistogramPanel</name>
-    <message>
-        <source>Red</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gray</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Channel %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Warnings</name>
     <message>
         <source>%1 has changed since the project was saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a changé depuis l&apos;enregistrement du projet.</translation>
     </message>
     <message>
         <source>%1 is missing; a sphere takes its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est introuvable&#xa0;; une sphère prend sa place.</translation>
     </message>
 </context>
 <context>
     <name>Words</name>
     <message>
         <source>A value is out of its range; please choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une valeur est hors limites&#xa0;; en choisir une autre.</translation>
     </message>
     <message>
         <source>The file is not there; please choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier n&apos;est pas là&#xa0;; en choisir un autre.</translation>
     </message>
     <message>
         <source>The file cannot be read; please open another copy of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier est illisible&#xa0;; en ouvrir une autre copie.</translation>
     </message>
     <message>
         <source>The file cannot be written; please choose another place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier ne peut pas être écrit&#xa0;; choisir un autre endroit.</translation>
     </message>
     <message>
         <source>This is too large; please choose a smaller picture, part or size.</source>
-        <translation type="unfinished"></translation>
+        <translation>C&apos;est trop grand&#xa0;; choisir une image, une partie ou une taille plus petite.</translation>
     </message>
     <message>
         <source>This cannot be done with such a file; please choose another kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>C&apos;est impossible avec un tel fichier&#xa0;; en choisir un d&apos;un autre type.</translation>
     </message>
     <message>
         <source>The sizes do not fit together; please choose another support or part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les tailles ne vont pas ensemble&#xa0;; choisir un autre support ou une autre partie.</translation>
     </message>
     <message>
         <source>The picture is all one color, or has values that are no numbers; please choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;image est d&apos;une seule couleur, ou contient des valeurs qui ne sont pas des nombres&#xa0;; en choisir une autre.</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulé.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::Autosave</name>
     <message>
         <source>Keeping a copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copie de secours</translation>
     </message>
 </context>
 <context>
     <name>txn::app::BeforeAfter</name>
     <message>
         <source>Hold the mouse button or the space bar to see it as it was before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maintenir le bouton de la souris ou la barre d&apos;espace pour voir l&apos;image d&apos;avant.</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Après</translation>
     </message>
 </context>
 <context>
     <name>txn::app::CommandPalette</name>
     <message>
         <source>Type what you want to do</source>
-        <translation type="unfinished"></translation>
+        <translation>Taper ce qu&apos;il faut faire</translation>
     </message>
     <message>
         <source>Search commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechercher une commande</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Commandes</translation>
     </message>
     <message>
         <source>%1   (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1   (%2)</translation>
     </message>
 </context>
 <context>
     <name>txn::app::ErrorPlot</name>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Itérations</translation>
     </message>
 </context>
 <context>
     <name>txn::app::ExemplarPanel</name>
     <message>
         <source>8 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>8&#xa0;bits</translation>
     </message>
     <message>
         <source>16 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>16&#xa0;bits</translation>
     </message>
     <message>
         <source>16 bit float</source>
-        <translation type="unfinished"></translation>
+        <translation>flottant 16&#xa0;bits</translation>
     </message>
     <message>
         <source>32 bit float</source>
-        <translation type="unfinished"></translation>
+        <translation>flottant 32&#xa0;bits</translation>
     </message>
     <message>
         <source>gray</source>
-        <translation type="unfinished"></translation>
+        <translation>gris</translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RVB</translation>
     </message>
     <message>
         <source>%1 channels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;canaux</translation>
     </message>
     <message>
         <source>Colors will clip</source>
-        <translation type="unfinished"></translation>
+        <translation>Des couleurs seront écrêtées</translation>
     </message>
     <message>
         <source>%1 % of the noise&apos;s values are darker than black or lighter than white. Lower the contrast of the noise, or export EXR.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;% des valeurs du bruit sont plus sombres que le noir ou plus claires que le blanc. Baisser le contraste du bruit, ou exporter en EXR.</translation>
     </message>
     <message>
         <source>Suits, but highlights or shadows even out</source>
-        <translation type="unfinished"></translation>
+        <translation>Convient, mais hautes lumières ou ombres s&apos;estompent</translation>
     </message>
     <message>
         <source>Its values lean to one side; those of the noise are spread evenly around the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ses valeurs penchent d&apos;un côté&#xa0;; celles du bruit se répartissent également autour de la moyenne.</translation>
     </message>
     <message>
         <source>Has patches or shapes that even out</source>
-        <translation type="unfinished"></translation>
+        <translation>A des taches ou des formes qui s&apos;estompent</translation>
     </message>
     <message>
         <source>Its grain is stronger in some places than in others, which a Gaussian texture cannot keep. Compare with the Gaussian version, or crop an even part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Son grain est plus fort à certains endroits qu&apos;à d&apos;autres, ce qu&apos;une texture gaussienne ne peut pas garder. Comparer avec la version gaussienne, ou recadrer sur une partie homogène.</translation>
     </message>
     <message>
         <source>Suits texton noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Convient au bruit de textons</translation>
     </message>
     <message>
         <source>It is all grain and no shapes, and its colors fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout est grain, sans formes, et ses couleurs conviennent.</translation>
     </message>
     <message>
         <source>Crop</source>
-        <translation type="unfinished"></translation>
+        <translation>Recadrer</translation>
     </message>
     <message>
         <source>Drag over the part of the photo that looks the same all over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glisser sur la partie de la photo qui a partout le même aspect.</translation>
     </message>
     <message>
         <source>Straighten</source>
-        <translation type="unfinished"></translation>
+        <translation>Redresser</translation>
     </message>
     <message>
         <source>Draw a line along the grain; it becomes level or upright.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracer une ligne le long du grain&#xa0;; elle devient horizontale ou verticale.</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Original</translation>
     </message>
     <message>
         <source>Back to the photo as it was opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Revenir à la photo telle qu&apos;elle a été ouverte.</translation>
     </message>
     <message>
         <source>Reset the exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Réinitialiser l&apos;exemplaire</translation>
     </message>
     <message>
         <source>The photo and its crop</source>
-        <translation type="unfinished"></translation>
+        <translation>La photo et son recadrage</translation>
     </message>
     <message>
         <source>Drag to use only a part of the photo. Arrow keys move it, with Shift they resize it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glisser pour n&apos;utiliser qu&apos;une partie de la photo. Les flèches la déplacent&#xa0;; avec Maj, elles la redimensionnent.</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle</translation>
     </message>
     <message>
         <source>Turns the photo, counterclockwise. Or draw a line with Straighten.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tourne la photo dans le sens inverse des aiguilles d&apos;une montre. On peut aussi tracer une ligne avec Redresser.</translation>
     </message>
     <message>
         <source>Work in</source>
-        <translation type="unfinished"></translation>
+        <translation>Travailler en</translation>
     </message>
     <message>
         <source>sRGB values</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs sRGB</translation>
     </message>
     <message>
         <source>Linear light</source>
-        <translation type="unfinished"></translation>
+        <translation>Lumière linéaire</translation>
     </message>
     <message>
         <source>sRGB values keep dark grain; linear light suits renderers. Try sRGB first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les valeurs sRGB gardent le grain sombre&#xa0;; la lumière linéaire convient aux moteurs de rendu. Essayer d&apos;abord sRGB.</translation>
     </message>
     <message>
         <source>Even out the lighting</source>
-        <translation type="unfinished"></translation>
+        <translation>Uniformiser l&apos;éclairage</translation>
     </message>
     <message>
         <source>Takes away shade that is smoother than the radius, such as a dark corner.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enlève les ombres plus douces que le rayon, comme un coin sombre.</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayon</translation>
     </message>
     <message>
         <source>px</source>
-        <translation type="unfinished"></translation>
+        <translation>px</translation>
     </message>
     <message>
         <source>Only what is smoother than this goes away. Small values also take large grain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seul ce qui est plus doux que cela disparaît. De petites valeurs emportent aussi le gros grain.</translation>
     </message>
     <message>
         <source>Lighting radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayon d&apos;éclairage</translation>
     </message>
     <message>
         <source>Lighting before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Éclairage avant et après</translation>
     </message>
     <message>
         <source>Remove the seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer le raccord</translation>
     </message>
     <message>
         <source>Takes away the jump from one border of the photo to the other (the periodic component). Switch it off for pictures that tile already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enlève le saut d&apos;un bord à l&apos;autre de la photo (ne garde que la composante périodique). À désactiver pour les images qui se répètent déjà en mosaïque.</translation>
     </message>
     <message>
         <source>Seam before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccord avant et après</translation>
     </message>
     <message>
         <source>A texton from a file needs no exemplar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un texton venu d&apos;un fichier n&apos;a pas besoin d&apos;exemplaire.</translation>
     </message>
     <message>
         <source>Open a photo of a material, or drop one here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir la photo d&apos;un matériau, ou en déposer une ici.</translation>
     </message>
     <message>
         <source>%1 x %2 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;×&#xa0;%2&#xa0;px</translation>
     </message>
     <message>
         <source>linear</source>
-        <translation type="unfinished"></translation>
+        <translation>linéaire</translation>
     </message>
     <message>
         <source>sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>sRGB</translation>
     </message>
     <message>
         <source>color profile converted</source>
-        <translation type="unfinished"></translation>
+        <translation>profil de couleur converti</translation>
     </message>
     <message>
         <source>transparency left out</source>
-        <translation type="unfinished"></translation>
+        <translation>transparence ignorée</translation>
     </message>
     <message>
         <source>Skewness %1, excess kurtosis %2, clipped values %3 %, sub-bands %4 standard deviations from those of its Gaussian versions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Asymétrie %1, excès d&apos;aplatissement %2, valeurs écrêtées %3&#xa0;%, sous-bandes à %4 écarts-types de celles de ses versions gaussiennes.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::ExportDialog</name>
     <message>
         <source>PNG, 8 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, 8&#xa0;bits</translation>
     </message>
     <message>
         <source>PNG, 16 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, 16&#xa0;bits</translation>
     </message>
     <message>
         <source>EXR, 16 bit float</source>
-        <translation type="unfinished"></translation>
+        <translation>EXR, flottant 16&#xa0;bits</translation>
     </message>
     <message>
         <source>EXR, 32 bit float</source>
-        <translation type="unfinished"></translation>
+        <translation>EXR, flottant 32&#xa0;bits</translation>
     </message>
     <message>
         <source>TIFF, 8 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, 8&#xa0;bits</translation>
     </message>
     <message>
         <source>TIFF, 16 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, 16&#xa0;bits</translation>
     </message>
     <message>
         <source>TIFF, 32 bit float</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, flottant 32&#xa0;bits</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"></translation>
+        <translation>&#xa0;px</translation>
     </message>
     <message>
         <source>EXR, exact</source>
-        <translation type="unfinished"></translation>
+        <translation>EXR, exact</translation>
     </message>
     <message>
         <source>Every value as it is, with all parameters inside. The best choice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque valeur telle quelle, avec tous les paramètres. Le meilleur choix.</translation>
     </message>
     <message>
         <source>For programs that cannot read EXR. The JSON file tells how values are coded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour les programmes qui ne lisent pas EXR. Le fichier JSON dit comment les valeurs sont codées.</translation>
     </message>
     <message>
         <source>.texton, as text</source>
-        <translation type="unfinished"></translation>
+        <translation>.texton, en texte</translation>
     </message>
     <message>
         <source>The format of the papers&apos; authors, for their programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le format des auteurs des articles, pour leurs programmes.</translation>
     </message>
     <message>
         <source>Common sizes; any other can be typed below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tailles courantes&#xa0;; toute autre peut être saisie dessous.</translation>
     </message>
     <message>
         <source>%1 x %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;×&#xa0;%1</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Autre</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur</translation>
     </message>
     <message>
         <source>Tiles without a seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Se répète sans raccord</translation>
     </message>
     <message>
         <source>The picture repeats without a seam. Off, it is a piece of the endless plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;image se répète en mosaïque sans raccord. Sinon, c&apos;est un morceau du plan infini.</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Depuis la gauche</translation>
     </message>
     <message>
         <source>From the top</source>
-        <translation type="unfinished"></translation>
+        <translation>Depuis le haut</translation>
     </message>
     <message>
         <source>Where on the endless plane the piece is cut out.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;endroit du plan infini où le morceau est découpé.</translation>
     </message>
     <message>
         <source>EXR keeps values beyond black and white; PNG and TIFF with 8 or 16 bits clip them.</source>
-        <translation type="unfinished"></translation>
+        <translation>EXR garde les valeurs au-delà du noir et du blanc&#xa0;; PNG et TIFF en 8 ou 16&#xa0;bits les écrêtent.</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>What to export</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu&apos;il faut exporter</translation>
     </message>
     <message>
         <source>Texton</source>
-        <translation type="unfinished"></translation>
+        <translation>Texton</translation>
     </message>
     <message>
         <source>Noise texture</source>
-        <translation type="unfinished"></translation>
+        <translation>Texture de bruit</translation>
     </message>
     <message>
         <source>Current view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vue actuelle</translation>
     </message>
     <message>
         <source>For engines</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour moteurs 3D</translation>
     </message>
     <message>
         <source>The noise as it is on screen, as a PNG picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le bruit tel qu&apos;il est à l&apos;écran, en image PNG.</translation>
     </message>
     <message>
         <source>Everything to draw endless material in your own program: the texton, one self-contained shader (GLSL 330, free to use under CC0), its parameters, and a small example program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout pour dessiner un matériau sans fin dans son propre programme&#xa0;: le texton, un seul shader autonome (GLSL 330, libre d&apos;emploi sous CC0), ses paramètres et un petit programme d&apos;exemple.</translation>
     </message>
     <message>
         <source>Choices that you saved under a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Réglages enregistrés sous un nom.</translation>
     </message>
     <message>
         <source>Save as preset...</source>
-        <translation type="unfinished"></translation>
+        <translation>Créer un préréglage...</translation>
     </message>
     <message>
         <source>Words in braces are filled in: {name} {support} {mni} {seed} {size}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les mots entre accolades sont remplacés&#xa0;: {name} {support} {mni} {seed} {size}.</translation>
     </message>
     <message>
         <source>Where the files go.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;endroit où vont les fichiers.</translation>
     </message>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir...</translation>
     </message>
     <message>
         <source>Preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Préréglage</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Dossier</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichiers</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir le dossier</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulé. Rien n&apos;a été écrit.</translation>
     </message>
     <message>
         <source>material</source>
-        <translation type="unfinished"></translation>
+        <translation>texture</translation>
     </message>
     <message>
         <source>%1  (replaces a file)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  (remplace un fichier)</translation>
     </message>
     <message>
         <source>There is no texton yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas encore de texton.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer</translation>
     </message>
     <message numerus="yes">
         <source>%n s left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Encore&#xa0;%n&#xa0;s</numerusform>
+            <numerusform>Encore&#xa0;%n&#xa0;s</numerusform>
         </translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun</translation>
     </message>
     <message>
         <source>Delete all presets</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer tous les préréglages</translation>
     </message>
     <message>
         <source>Save as preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Créer un préréglage</translation>
     </message>
     <message>
         <source>Name of the preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom du préréglage</translation>
     </message>
     <message>
         <source>Choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir un dossier</translation>
     </message>
     <message>
         <source>Replace files?</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer des fichiers&#xa0;?</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) of these names exist already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n fichier de ce nom existe déjà.</numerusform>
+            <numerusform>%n fichiers de ces noms existent déjà.</numerusform>
         </translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer</translation>
     </message>
     <message>
         <source>Writing</source>
-        <translation type="unfinished"></translation>
+        <translation>Écriture</translation>
     </message>
     <message>
         <source>Exporting</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportation</translation>
     </message>
     <message numerus="yes">
         <source>Wrote %n file(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n fichier écrit.</numerusform>
+            <numerusform>%n fichiers écrits.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 % of the values were clipped; EXR keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;% des valeurs ont été écrêtées&#xa0;; EXR les garde.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::FileController</name>
     <message>
         <source>Open %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir %1</translation>
     </message>
     <message>
         <source>Making the sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Création de l&apos;exemple</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouverture de %1</translation>
     </message>
     <message>
         <source>Open a photo, texton or project</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir une photo, un texton ou un projet</translation>
     </message>
     <message>
         <source>All that can be opened (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp *.texton *.txnproj);;Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;Textons (*.texton *.exr *.png);;Projects (*.txnproj);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout ce qui peut être ouvert (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp *.texton *.txnproj);;Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;Textons (*.texton *.exr *.png);;Projets (*.txnproj);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Pasting a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Collage d&apos;une image</translation>
     </message>
     <message>
         <source>Pasted picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Image collée</translation>
     </message>
     <message>
         <source>Save the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer le projet</translation>
     </message>
     <message>
         <source>Texton Studio projects (*.txnproj)</source>
-        <translation type="unfinished"></translation>
+        <translation>Projets Texton Studio (*.txnproj)</translation>
     </message>
     <message>
         <source>Saving</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrement</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été enregistré</translation>
     </message>
     <message>
         <source>Save before closing?</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer avant de fermer&#xa0;?</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 contient des changements non enregistrés.</translation>
     </message>
     <message>
         <source>Saving keeps the photo, all settings and the view in one project file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un seul fichier de projet garde la photo, tous les réglages et la vue.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>
     <message>
         <source>How often each value occurs. Where the noise reaches beyond 0 or 1, its colors are clipped.</source>
-        <translation type="unfinished"></translation>
+        <translation>La fréquence de chaque valeur. Là où le bruit dépasse 0 ou 1, ses couleurs sont écrêtées.</translation>
     </message>
     <message>
         <source>Exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Exemplaire</translation>
     </message>
     <message>
         <source>Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Version gaussienne</translation>
     </message>
     <message>
         <source>Noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Bruit</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Canal %1</translation>
     </message>
 </context>
 <context>
     <name>txn::app::JobRunner</name>
     <message>
         <source>there is not enough memory; try a smaller picture or size</source>
-        <translation type="unfinished"></translation>
+        <translation>mémoire insuffisante&#xa0;; essayer une image ou une taille plus petite</translation>
     </message>
 </context>
 <context>
     <name>txn::app::JobsPanel</name>
     <message>
         <source>Work in progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Travaux en cours</translation>
     </message>
     <message>
         <source>What is being computed right now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est calculé en ce moment.</translation>
     </message>
     <message>
         <source>Work</source>
-        <translation type="unfinished"></translation>
+        <translation>Tâche</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Avancement</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>en attente</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;s</translation>
     </message>
 </context>
 <context>
     <name>txn::app::JobsStatus</name>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Avancement</translation>
     </message>
     <message>
         <source>How far the work is. The Jobs panel lists all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;avancement du travail. Le panneau Tâches en montre le détail.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::KeyMapOverlay</name>
     <message>
         <source>All keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les touches</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Molette</translation>
     </message>
     <message>
         <source>Zoom at the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomer sous la souris</translation>
     </message>
     <message>
         <source>Middle drag, Space drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Glisser milieu ou Espace</translation>
     </message>
     <message>
         <source>Move the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer l&apos;image</translation>
     </message>
     <message>
         <source>Left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Glisser, bouton gauche</translation>
     </message>
     <message>
         <source>Look around the ground or mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Regarder autour du sol ou maillage</translation>
     </message>
     <message>
         <source>Hold `</source>
-        <translation type="unfinished"></translation>
+        <translation>Maintenir `</translation>
     </message>
     <message>
         <source>See the exemplar instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Voir l&apos;exemplaire à la place</translation>
     </message>
     <message>
         <source>Hold X</source>
-        <translation type="unfinished"></translation>
+        <translation>Maintenir X</translation>
     </message>
     <message>
         <source>See the difference, eightfold</source>
-        <translation type="unfinished"></translation>
+        <translation>Voir la différence, 8 fois plus forte</translation>
     </message>
     <message>
         <source>Shift drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Maj + glisser</translation>
     </message>
     <message>
         <source>Fine steps of a slider</source>
-        <translation type="unfinished"></translation>
+        <translation>Régler finement un curseur</translation>
     </message>
     <message>
         <source>Double-click</source>
-        <translation type="unfinished"></translation>
+        <translation>Double clic</translation>
     </message>
     <message>
         <source>Slider: default; title: one view</source>
-        <translation type="unfinished"></translation>
+        <translation>Curseur&#xa0;: défaut&#xa0;; titre&#xa0;: une vue</translation>
     </message>
 </context>
 <context>
     <name>txn::app::MainWindow</name>
     <message>
         <source>Opened the first of the files.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seul le premier des fichiers a été ouvert.</translation>
     </message>
     <message>
         <source>Recovering %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupération de %1</translation>
     </message>
     <message>
         <source>That did not work: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cela n&apos;a pas marché&#xa0;: %1</translation>
     </message>
     <message>
         <source>The noise is drawn without the graphics card, from above only: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Le bruit est dessiné sans la carte graphique, vu de dessus seulement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Exemplaire</translation>
     </message>
     <message>
         <source>Texton</source>
-        <translation type="unfinished"></translation>
+        <translation>Texton</translation>
     </message>
     <message>
         <source>Noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Bruit</translation>
     </message>
     <message>
         <source>Spectrum</source>
-        <translation type="unfinished"></translation>
+        <translation>Spectre</translation>
     </message>
     <message>
         <source>Histogram</source>
-        <translation type="unfinished"></translation>
+        <translation>Histogramme</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Début</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Historique</translation>
     </message>
     <message>
         <source>Every change you made. Click one to go back to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tous les changements. Cliquer sur l&apos;un d&apos;eux pour y revenir.</translation>
     </message>
     <message>
         <source>Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Tâches</translation>
     </message>
     <message>
         <source>What draws the noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui dessine le bruit.</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Relative model error %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur relative du modèle&#xa0;: %1</translation>
     </message>
     <message>
         <source>x %1  y %2</source>
-        <translation type="unfinished"></translation>
+        <translation>x %1  y %2</translation>
     </message>
     <message>
         <source>sRGB %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sRGB %1</translation>
     </message>
     <message>
         <source>linear %1</source>
-        <translation type="unfinished"></translation>
+        <translation>linéaire %1</translation>
     </message>
     <message>
         <source>Wood</source>
-        <translation type="unfinished"></translation>
+        <translation>Bois</translation>
     </message>
     <message>
         <source>Stone</source>
-        <translation type="unfinished"></translation>
+        <translation>Pierre</translation>
     </message>
     <message>
         <source>Sand</source>
-        <translation type="unfinished"></translation>
+        <translation>Sable</translation>
     </message>
     <message>
         <source>Rust</source>
-        <translation type="unfinished"></translation>
+        <translation>Rouille</translation>
     </message>
     <message>
         <source>Brushed metal</source>
-        <translation type="unfinished"></translation>
+        <translation>Métal brossé</translation>
     </message>
     <message>
         <source>Cloth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tissu</translation>
     </message>
     <message>
         <source>Leather</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuir</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nouveau</translation>
     </message>
     <message>
         <source>Close everything and start afresh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout fermer et repartir de zéro.</translation>
     </message>
     <message>
         <source>&amp;Open...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ouvrir...</translation>
     </message>
     <message>
         <source>Open a photo, a texton or a project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir une photo, un texton ou un projet.</translation>
     </message>
     <message>
         <source>&amp;Save project</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Enregistrer le projet</translation>
     </message>
     <message>
         <source>Keep the photo and all settings in one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder la photo et tous les réglages dans un seul fichier.</translation>
     </message>
     <message>
         <source>Save project &amp;as...</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer le projet &amp;sous...</translation>
     </message>
     <message>
         <source>Save under another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer sous un autre nom.</translation>
     </message>
     <message>
         <source>&amp;Export...</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;xporter...</translation>
     </message>
     <message>
         <source>Write textons, textures and shaders for other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire des textons, textures et shaders pour d&apos;autres programmes.</translation>
     </message>
     <message>
         <source>Save &amp;picture of the noise...</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer l&apos;&amp;image du bruit...</translation>
     </message>
     <message>
         <source>Save what the noise view shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer ce que montre la vue du bruit.</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quitter</translation>
     </message>
     <message>
         <source>Close the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer le programme.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>Take the last change back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Revenir sur le dernier changement.</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rétablir</translation>
     </message>
     <message>
         <source>Make the change again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Refaire le changement.</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rétablir&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Coller</translation>
     </message>
     <message>
         <source>Open the picture or file in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir l&apos;image ou le fichier du presse-papiers.</translation>
     </message>
     <message>
         <source>There is no picture in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n&apos;y a pas d&apos;image dans le presse-papiers.</translation>
     </message>
     <message>
         <source>&amp;Shortcuts...</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccourci&amp;s...</translation>
     </message>
     <message>
         <source>Choose your own keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir ses propres touches.</translation>
     </message>
     <message>
         <source>&amp;Single view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vue &amp;unique</translation>
     </message>
     <message>
         <source>One picture fills the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une seule image remplit le milieu.</translation>
     </message>
     <message>
         <source>Side &amp;by side</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Côte à côte</translation>
     </message>
     <message>
         <source>Two pictures next to each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux images l&apos;une à côté de l&apos;autre.</translation>
     </message>
     <message>
         <source>&amp;Four views</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quatre vues</translation>
     </message>
     <message>
         <source>Exemplar, Gaussian version, texton and noise at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exemplaire, version gaussienne, texton et bruit à la fois.</translation>
     </message>
     <message>
         <source>&amp;Wipe</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Volet</translation>
     </message>
     <message>
         <source>Two pictures in one place, with a border to drag.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux images au même endroit, avec une limite à faire glisser.</translation>
     </message>
     <message>
         <source>F&amp;it</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;juster</translation>
     </message>
     <message>
         <source>Show the whole exemplar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer tout l&apos;exemplaire.</translation>
     </message>
     <message>
         <source>&amp;100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;100&#xa0;%</translation>
     </message>
     <message>
         <source>One pixel of the picture is one of the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un pixel de l&apos;image est un pixel de l&apos;écran.</translation>
     </message>
     <message>
         <source>&amp;200 %</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;200&#xa0;%</translation>
     </message>
     <message>
         <source>Twice as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux fois plus grand.</translation>
     </message>
     <message>
         <source>Show the &amp;Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer la version &amp;gaussienne</translation>
     </message>
     <message>
         <source>In the view under the mouse.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dans la vue sous la souris.</translation>
     </message>
     <message>
         <source>&amp;Tile the exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Exemplaire en &amp;mosaïque</translation>
     </message>
     <message>
         <source>Repeat the photo, to see the repetition that the noise does away with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Répéter la photo en mosaïque, pour voir la répétition que le bruit évite.</translation>
     </message>
     <message>
         <source>B&amp;righter</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus c&amp;lair</translation>
     </message>
     <message>
         <source>Show everything a third of a stop brighter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Éclaircir tout d&apos;un tiers de diaphragme.</translation>
     </message>
     <message>
         <source>&amp;Darker</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus &amp;sombre</translation>
     </message>
     <message>
         <source>Show everything a third of a stop darker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assombrir tout d&apos;un tiers de diaphragme.</translation>
     </message>
     <message>
         <source>N&amp;ormal exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exposition normale</translation>
     </message>
     <message>
         <source>Show the values as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer les valeurs telles quelles.</translation>
     </message>
     <message>
         <source>Look at single channels as gray.</source>
-        <translation type="unfinished"></translation>
+        <translation>Regarder un seul canal, en gris.</translation>
     </message>
     <message>
         <source>&amp;All channels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tous les canaux</translation>
     </message>
     <message>
         <source>First channel (red)</source>
-        <translation type="unfinished"></translation>
+        <translation>Premier canal (rouge)</translation>
     </message>
     <message>
         <source>Second channel (green)</source>
-        <translation type="unfinished"></translation>
+        <translation>Deuxième canal (vert)</translation>
     </message>
     <message>
         <source>Third channel (blue)</source>
-        <translation type="unfinished"></translation>
+        <translation>Troisième canal (bleu)</translation>
     </message>
     <message>
         <source>What is around the pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui entoure les images.</translation>
     </message>
     <message>
         <source>Gray surround</source>
-        <translation type="unfinished"></translation>
+        <translation>Fond gris</translation>
     </message>
     <message>
         <source>Black surround</source>
-        <translation type="unfinished"></translation>
+        <translation>Fond noir</translation>
     </message>
     <message>
         <source>White surround</source>
-        <translation type="unfinished"></translation>
+        <translation>Fond blanc</translation>
     </message>
     <message>
         <source>&amp;Compute again</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;calculer</translation>
     </message>
     <message>
         <source>Compute the texton once more and watch it form.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calculer le texton encore une fois et le regarder se former.</translation>
     </message>
     <message>
         <source>C&amp;ancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler le ca&amp;lcul</translation>
     </message>
     <message>
         <source>Stop computing the texton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter le calcul du texton.</translation>
     </message>
     <message>
         <source>New &amp;seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouvelle &amp;graine</translation>
     </message>
     <message>
         <source>Another random result of what is under the mouse: Gaussian version, texton or noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un autre résultat aléatoire de ce qui est sous la souris&#xa0;: version gaussienne, texton ou bruit.</translation>
     </message>
     <message>
         <source>Gaussian method</source>
-        <translation type="unfinished"></translation>
+        <translation>Méthode gaussienne</translation>
     </message>
     <message>
         <source>Random phases and random strengths: what texton noise comes to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Phases et amplitudes aléatoires&#xa0;: ce vers quoi tend le bruit de textons.</translation>
     </message>
     <message>
         <source>Random phases only: keeps the exact spectrum of the photo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Phases aléatoires seulement&#xa0;: garde le spectre exact de la photo.</translation>
     </message>
     <message>
         <source>The texton&apos;s seed is locked.</source>
-        <translation type="unfinished"></translation>
+        <translation>La graine du texton est verrouillée.</translation>
     </message>
     <message>
         <source>New seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouvelle graine</translation>
     </message>
     <message>
         <source>Show or hide this panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer ou cacher ce panneau.</translation>
     </message>
     <message>
         <source>&amp;Hide panels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Masquer les panneaux</translation>
     </message>
     <message>
         <source>Nothing but the pictures; the same key brings the panels back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien que les images&#xa0;; la même touche ramène les panneaux.</translation>
     </message>
     <message>
         <source>&amp;Next panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Panneau &amp;suivant</translation>
     </message>
     <message>
         <source>Go on to the next panel with the keyboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passer au panneau suivant avec le clavier.</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Réinitialiser la disposition</translation>
     </message>
     <message>
         <source>Put all panels back where they belong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Remettre tous les panneaux à leur place.</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Plein écran</translation>
     </message>
     <message>
         <source>Use the whole screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Utiliser tout l&apos;écran.</translation>
     </message>
     <message>
         <source>The colors of the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les couleurs de la fenêtre.</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sombre</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Clair</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme le s&amp;ystème</translation>
     </message>
     <message>
         <source>&amp;Command palette</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Palette de commandes</translation>
     </message>
     <message>
         <source>Find any command by typing a part of its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trouver une commande en tapant une partie de son nom.</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Touches</translation>
     </message>
     <message>
         <source>All keys at a glance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les touches d&apos;un coup d&apos;œil.</translation>
     </message>
     <message>
         <source>&amp;What is this?</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Qu&apos;est-ce que c&apos;est&#xa0;?</translation>
     </message>
     <message>
         <source>Then click on anything to read about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquer ensuite sur un élément pour lire ce qu&apos;il est.</translation>
     </message>
     <message>
         <source>&amp;About Texton Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>À p&amp;ropos de Texton Studio</translation>
     </message>
     <message>
         <source>Version, method and license.</source>
-        <translation type="unfinished"></translation>
+        <translation>Version, méthode et licence.</translation>
     </message>
     <message>
         <source>About Texton Studio</source>
-        <translation type="unfinished"></translation>
+        <translation>À propos de Texton Studio</translation>
     </message>
     <message>
         <source>&lt;b&gt;Texton Studio %1&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Texton Studio %1&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Endless material from a photo, by the method of Galerne, Leclaire and Moisan (2014, 2017). Free software under the GNU General Public License, version 3 or later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un matériau sans fin à partir d&apos;une photo, par la méthode de Galerne, Leclaire et Moisan (2014, 2017). Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure.</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fichier</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un fichier &amp;récent</translation>
     </message>
     <message>
         <source>Open a sa&amp;mple</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un exe&amp;mple</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>É&amp;dition</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Affichage</translation>
     </message>
     <message>
         <source>&amp;Channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Ca&amp;naux</translation>
     </message>
     <message>
         <source>S&amp;urround</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fond</translation>
     </message>
     <message>
         <source>&amp;Texton</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Texton</translation>
     </message>
     <message>
         <source>&amp;Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fe&amp;nêtre</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Thème</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Langue</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;ide</translation>
     </message>
     <message>
         <source>Clear this list</source>
-        <translation type="unfinished"></translation>
+        <translation>Vider cette liste</translation>
     </message>
     <message>
         <source>The language changes when you start Texton Studio again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La langue changera au prochain démarrage de Texton Studio.</translation>
     </message>
     <message>
         <source>There is no noise to save yet. Open a photo first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas encore de bruit à enregistrer. Ouvrir d&apos;abord une photo.</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer l&apos;image</translation>
     </message>
     <message>
         <source>PNG pictures (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Images PNG (*.png)</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été enregistré</translation>
     </message>
     <message>
         <source>%1 cannot be written; please choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ne peut pas être écrit&#xa0;; choisir un autre dossier.</translation>
     </message>
     <message>
         <source>&amp;Photo inside the project</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Photo dans le projet</translation>
     </message>
     <message>
         <source>On, a project holds the photo itself; off, it only remembers where the photo is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Activé, le projet contient la photo elle-même&#xa0;; sinon, il retient seulement où elle se trouve.</translation>
     </message>
     <message>
         <source>Link the photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Lier la photo</translation>
     </message>
     <message>
         <source>Photo inside the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Photo dans le projet</translation>
     </message>
     <message>
         <source>Gaussian version: &amp;ADSN</source>
-        <translation type="unfinished"></translation>
+        <translation>Version gaussienne&#xa0;: &amp;ADSN</translation>
     </message>
     <message>
         <source>Gaussian version: &amp;RPN</source>
-        <translation type="unfinished"></translation>
+        <translation>Version gaussienne&#xa0;: &amp;RPN</translation>
     </message>
     <message>
         <source>The language of the window, from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>La langue de la fenêtre, dès le prochain démarrage.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::MessageBar</name>
     <message>
         <source>Dismiss the message</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer le message</translation>
     </message>
     <message>
         <source>Dismiss the message.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer le message.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::NoisePanel</name>
     <message>
         <source>Impacts per pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Impacts par pixel</translation>
     </message>
     <message>
         <source>How many textons overlap at a pixel, on average (the MNI). Fewer is faster; too few show single textons. Try 12.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre moyen de textons superposés en un pixel (le MNI). Moins, c&apos;est plus rapide&#xa0;; trop peu laisse voir des textons isolés. Essayer 12.</translation>
     </message>
     <message>
         <source>Placing</source>
-        <translation type="unfinished"></translation>
+        <translation>Placement</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>Régulier</translation>
     </message>
     <message>
         <source>Random, both signs</source>
-        <translation type="unfinished"></translation>
+        <translation>Aléatoire, deux signes</translation>
     </message>
     <message>
         <source>Random</source>
-        <translation type="unfinished"></translation>
+        <translation>Aléatoire</translation>
     </message>
     <message>
         <source>How textons are scattered. Even (stratified) needs the fewest; random (Poisson) is the papers&apos; way and needs about 30 impacts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La façon de disperser les textons. Régulier (stratifié) en demande le moins&#xa0;; aléatoire (Poisson) est la méthode des articles et demande environ 30 impacts.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Graine</translation>
     </message>
     <message>
         <source>Another number gives another piece of the same material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un autre nombre donne un autre morceau du même matériau.</translation>
     </message>
     <message>
         <source>Noise seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Graine du bruit</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Vue</translation>
     </message>
     <message>
         <source>Flat</source>
-        <translation type="unfinished"></translation>
+        <translation>À plat</translation>
     </message>
     <message>
         <source>Ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Sol</translation>
     </message>
     <message>
         <source>Mesh, by its UVs</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillage, par ses UV</translation>
     </message>
     <message>
         <source>Mesh, any surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillage, toute surface</translation>
     </message>
     <message>
         <source>What the noise is shown on. Drag in the view to look around. Any surface needs no texture coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce sur quoi le bruit est montré. Glisser dans la vue pour regarder autour. Toute surface se passe de coordonnées de texture.</translation>
     </message>
     <message>
         <source>Noise view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vue du bruit</translation>
     </message>
     <message>
         <source>Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillage</translation>
     </message>
     <message>
         <source>Sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Sphère</translation>
     </message>
     <message>
         <source>Torus</source>
-        <translation type="unfinished"></translation>
+        <translation>Tore</translation>
     </message>
     <message>
         <source>Plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan</translation>
     </message>
     <message>
         <source>From a file...</source>
-        <translation type="unfinished"></translation>
+        <translation>Depuis un fichier...</translation>
     </message>
     <message>
         <source>The object that wears the noise. OBJ and PLY files can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;objet qui porte le bruit. On peut ouvrir des fichiers OBJ et PLY.</translation>
     </message>
     <message>
         <source>Lighting</source>
-        <translation type="unfinished"></translation>
+        <translation>Éclairage</translation>
     </message>
     <message>
         <source>Shades the mesh. Switch it off to judge colors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ombre le maillage. À désactiver pour juger les couleurs.</translation>
     </message>
     <message>
         <source>Filter</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtre</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun</translation>
     </message>
     <message>
         <source>Isotropic</source>
-        <translation type="unfinished"></translation>
+        <translation>Isotrope</translation>
     </message>
     <message>
         <source>Anisotropic</source>
-        <translation type="unfinished"></translation>
+        <translation>Anisotrope</translation>
     </message>
     <message>
         <source>Of the graphics card</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte graphique</translation>
     </message>
     <message>
         <source>Keeps distant noise from flickering. Anisotropic is the sharpest at a slant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Empêche le bruit lointain de scintiller. Anisotrope est le plus net en vue rasante.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle</translation>
     </message>
     <message>
         <source>How large the grain is, next to that of the photo.</source>
-        <translation type="unfinished"></translation>
+        <translation>La taille du grain, par rapport à celui de la photo.</translation>
     </message>
     <message>
         <source>Contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraste</translation>
     </message>
     <message>
         <source>Strengthens or softens the grain. Less of it clips fewer colors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Renforce ou adoucit le grain. Moins il y en a, moins de couleurs sont écrêtées.</translation>
     </message>
     <message>
         <source>Brightness</source>
-        <translation type="unfinished"></translation>
+        <translation>Luminosité</translation>
     </message>
     <message>
         <source>Makes the whole material lighter or darker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rend tout le matériau plus clair ou plus sombre.</translation>
     </message>
     <message>
         <source>What the picture costs: the time to draw one, and how often the texton is looked up for each pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que coûte l&apos;image&#xa0;: le temps pour en dessiner une, et le nombre de lectures du texton par pixel.</translation>
     </message>
     <message>
         <source>Values that are darker than black or lighter than white. Lower the contrast, or export EXR, which keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs plus sombres que le noir ou plus claires que le blanc. Baisser le contraste, ou exporter en EXR, qui les garde.</translation>
     </message>
     <message>
         <source>Save picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer l&apos;image...</translation>
     </message>
     <message>
         <source>Saves what the noise view shows as a PNG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistre ce que montre la vue du bruit dans un fichier PNG.</translation>
     </message>
     <message>
         <source>Open a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un maillage</translation>
     </message>
     <message>
         <source>Meshes (*.obj *.ply);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillages (*.obj *.ply);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>%1 frames per second, %2 fetches per pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 images par seconde, %2 lectures par pixel</translation>
     </message>
     <message>
         <source>%1 % of the values are clipped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;% des valeurs sont écrêtées</translation>
     </message>
 </context>
 <context>
     <name>txn::app::PictureView</name>
     <message>
         <source>%1 fps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;i/s</translation>
     </message>
     <message>
         <source>Drop a photo here</source>
-        <translation type="unfinished"></translation>
+        <translation>Déposer une photo ici</translation>
     </message>
     <message>
         <source>A texton from a file has no exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Un texton venu d&apos;un fichier n&apos;a pas d&apos;exemplaire</translation>
     </message>
     <message>
         <source>A texton from a file has no Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Un texton venu d&apos;un fichier n&apos;a pas de version gaussienne</translation>
     </message>
     <message>
         <source>Gaussian method</source>
-        <translation type="unfinished"></translation>
+        <translation>Méthode gaussienne</translation>
     </message>
     <message>
         <source>Gaussian seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Graine gaussienne</translation>
     </message>
     <message>
         <source>%1 x %2 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;×&#xa0;%2&#xa0;px</translation>
     </message>
 </context>
 <context>
     <name>txn::app::Pipeline</name>
     <message>
         <source>Preparing the exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Préparation de l&apos;exemplaire</translation>
     </message>
     <message>
         <source>Making the Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Création de la version gaussienne</translation>
     </message>
     <message>
         <source>Computing the texton</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul du texton</translation>
     </message>
     <message>
         <source>Judging the exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Évaluation de l&apos;exemplaire</translation>
     </message>
     <message>
         <source>Measuring spectra</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesure des spectres</translation>
     </message>
     <message>
         <source>Loading the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Chargement du maillage</translation>
     </message>
 </context>
 <context>
     <name>txn::app::ProjectDocument</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans titre</translation>
     </message>
 </context>
 <context>
     <name>txn::app::RecoveryDialog</name>
     <message>
         <source>Recover your work</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupérer le travail</translation>
     </message>
     <message>
         <source>Texton Studio was not closed properly last time. This can come back:</source>
-        <translation type="unfinished"></translation>
+        <translation>Texton Studio n&apos;a pas été fermé correctement la dernière fois. Ceci peut être récupéré&#xa0;:</translation>
     </message>
     <message>
         <source>Work that can come back</source>
-        <translation type="unfinished"></translation>
+        <translation>Travaux récupérables</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupérer</translation>
     </message>
     <message>
         <source>Delete this copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer cette copie</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus tard</translation>
     </message>
     <message>
         <source>Keeps the copies and asks again next time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Garde les copies et redemande la prochaine fois.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::SeedField</name>
     <message>
         <source>Roll the dice</source>
-        <translation type="unfinished"></translation>
+        <translation>Lancer les dés</translation>
     </message>
     <message>
         <source>Another random result.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un autre résultat aléatoire.</translation>
     </message>
     <message>
         <source>Keep this seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder cette graine</translation>
     </message>
     <message>
         <source>Keeps this number when new seeds are rolled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Garde ce nombre quand de nouvelles graines sont tirées.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccourcis</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechercher</translation>
     </message>
     <message>
         <source>Search commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechercher une commande</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Commande</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Touches</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Commandes</translation>
     </message>
     <message>
         <source>Press the keys that you want for the chosen command.</source>
-        <translation type="unfinished"></translation>
+        <translation>Appuyer sur les touches voulues pour la commande choisie.</translation>
     </message>
     <message>
         <source>No keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune touche</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout réinitialiser</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>These keys were those of &quot;%1&quot;, which has none now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ces touches étaient celles de «&#xa0;%1&#xa0;», qui n&apos;en a plus.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::SpectrumPanel</name>
     <message>
         <source>Exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Exemplaire</translation>
     </message>
     <message>
         <source>Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Version gaussienne</translation>
     </message>
     <message>
         <source>Noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Bruit</translation>
     </message>
     <message>
         <source>Power spectrum</source>
-        <translation type="unfinished"></translation>
+        <translation>Spectre de puissance</translation>
     </message>
     <message>
         <source>How strong waves of each direction and length are: long ones in the middle, fine grain outside. The three should look alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>La force des ondes de chaque direction et longueur&#xa0;: les longues au milieu, le grain fin à l&apos;extérieur. Les trois devraient se ressembler.</translation>
     </message>
     <message>
         <source>Autocorrelation</source>
-        <translation type="unfinished"></translation>
+        <translation>Autocorrélation</translation>
     </message>
     <message>
         <source>How alike two points are at each distance and direction. The size of the bright patch is that of the grain; it should fit into the support.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ressemblance de deux points à chaque distance et direction. La tache claire a la taille du grain&#xa0;; elle devrait tenir dans le support.</translation>
     </message>
 </context>
 <context>
     <name>txn::app::TextonPanel</name>
     <message>
         <source>px</source>
-        <translation type="unfinished"></translation>
+        <translation>px</translation>
     </message>
     <message>
         <source>Very close to the material</source>
-        <translation type="unfinished"></translation>
+        <translation>Très proche du matériau</translation>
     </message>
     <message>
         <source>As close as two photos of this material</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fair. A larger support may keep more of the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussi proche que deux photos de ce matériau</translation>
     </message>
     <message>
         <source>Long grain is lost. Try a larger support</source>
-        <translation type="unfinished"></translation>
+        <translation>Le grain long se perd. Essayer un support plus grand</translation>
     </message>
     <message numerus="yes">
         <source>%n s left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Encore&#xa0;%n&#xa0;s</numerusform>
+            <numerusform>Encore&#xa0;%n&#xa0;s</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n min left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Encore&#xa0;%n&#xa0;min</numerusform>
+            <numerusform>Encore&#xa0;%n&#xa0;min</numerusform>
         </translation>
     </message>
     <message>
         <source>The relative model error: 0 is the same texture. The method leaves about 0.46 of the photo&apos;s own randomness, so do not expect 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;erreur relative du modèle&#xa0;: 0 est la même texture. La méthode laisse environ 0,46 du hasard propre à la photo&#xa0;; inutile donc d&apos;attendre 0.</translation>
     </message>
     <message>
         <source>Progress of the texton</source>
-        <translation type="unfinished"></translation>
+        <translation>Avancement du texton</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Stop computing and go back to the last finished texton. Change anything to start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter le calcul et revenir au dernier texton terminé. Tout changement le relance.</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Forme</translation>
     </message>
     <message>
         <source>Square</source>
-        <translation type="unfinished"></translation>
+        <translation>Carré</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rectangle</translation>
     </message>
     <message>
         <source>Disc</source>
-        <translation type="unfinished"></translation>
+        <translation>Disque</translation>
     </message>
     <message>
         <source>The outline of the texton. A square suits almost everything; a rectangle follows long grain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour du texton. Un carré convient à presque tout&#xa0;; un rectangle suit un grain long.</translation>
     </message>
     <message>
         <source>Texton shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Forme du texton</translation>
     </message>
     <message>
         <source>Support</source>
-        <translation type="unfinished"></translation>
+        <translation>Support</translation>
     </message>
     <message>
         <source>How large the texton is. Features longer than this get lost; larger takes longer to compute. Try 64 first, 128 for long grain.</source>
-        <translation type="unfinished"></translation>
+        <translation>La taille du texton. Les motifs plus longs se perdent&#xa0;; plus grand, il est plus long à calculer. Essayer d&apos;abord 64, ou 128 pour un grain long.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur</translation>
     </message>
     <message>
         <source>The height of a rectangular texton. Make it small where the grain runs from left to right.</source>
-        <translation type="unfinished"></translation>
+        <translation>La hauteur d&apos;un texton rectangulaire. Petite là où le grain va de gauche à droite.</translation>
     </message>
     <message>
         <source>Support height</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur du support</translation>
     </message>
     <message>
         <source>Interpolation</source>
-        <translation type="unfinished"></translation>
+        <translation>Interpolation</translation>
     </message>
     <message>
         <source>Nearest</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus proche</translation>
     </message>
     <message>
         <source>Linear</source>
-        <translation type="unfinished"></translation>
+        <translation>Linéaire</translation>
     </message>
     <message>
         <source>Cubic</source>
-        <translation type="unfinished"></translation>
+        <translation>Cubique</translation>
     </message>
     <message>
         <source>Quintic</source>
-        <translation type="unfinished"></translation>
+        <translation>Quintique</translation>
     </message>
     <message>
         <source>How values between the texton&apos;s pixels are found. Linear is what graphics cards do for free; cubic is smoother when magnified.</source>
-        <translation type="unfinished"></translation>
+        <translation>La façon de trouver les valeurs entre les pixels du texton. Linéaire ne coûte rien aux cartes graphiques&#xa0;; cubique est plus lisse en agrandissement.</translation>
     </message>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Itérations</translation>
     </message>
     <message>
         <source>How long the texton is refined. Watch the curve: where it runs flat, more brings nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>La durée de l&apos;affinage du texton. Suivre la courbe&#xa0;: là où elle devient plate, continuer n&apos;apporte rien.</translation>
     </message>
     <message>
         <source>Momentum</source>
-        <translation type="unfinished"></translation>
+        <translation>Inertie</translation>
     </message>
     <message>
         <source>Gets there in fewer iterations. 0.9 is good; 0 is the plain method of the papers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrive au but en moins d&apos;itérations. 0,9 convient&#xa0;; 0 est la méthode simple des articles.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Graine</translation>
     </message>
     <message>
         <source>Another number gives another, equally good texton. Roll the dice, or lock the one you like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un autre nombre donne un autre texton, tout aussi bon. Lancer les dés, ou verrouiller celui qui plaît.</translation>
     </message>
     <message>
         <source>Texton seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Graine du texton</translation>
     </message>
     <message>
         <source>Lock the texton seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Verrouiller la graine du texton</translation>
     </message>
     <message>
         <source>Unlock the texton seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Déverrouiller la graine du texton</translation>
     </message>
     <message>
         <source>Exact colors</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleurs exactes</translation>
     </message>
     <message>
         <source>Corrects the texton so that the noise has exactly the colors of the photo. Leave it on unless you compare with the papers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrige le texton pour que le bruit ait exactement les couleurs de la photo. À laisser activé, sauf pour comparer avec les articles.</translation>
     </message>
     <message>
         <source>Relative model error against iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur relative du modèle selon les itérations</translation>
     </message>
     <message>
         <source>The relative model error while the texton is refined. Lower is closer.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;erreur relative du modèle pendant l&apos;affinage du texton. Plus bas, c&apos;est plus proche.</translation>
     </message>
     <message>
         <source>Open a photo to compute its texton</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir une photo pour calculer son texton</translation>
     </message>
     <message>
         <source>A texton from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Un texton venu d&apos;un fichier</translation>
     </message>
     <message>
         <source>%1 x %2 px</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;×&#xa0;%2&#xa0;px</translation>
     </message>
     <message>
         <source>Relative model error %1 after %2 iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur relative du modèle&#xa0;: %1 après %2 itérations</translation>
     </message>
     <message>
         <source>Computing</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul en cours</translation>
     </message>
     <message>
         <source>Compute again</source>
-        <translation type="unfinished"></translation>
+        <translation>Recalculer</translation>
+    </message>
+    <message>
+        <source>Fair. A larger support may help</source>
+        <translation>Correct. Un support plus grand peut aider</translation>
     </message>
 </context>
 <context>
     <name>txn::app::ViewTitle</name>
     <message>
         <source>Exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Exemplaire</translation>
     </message>
     <message>
         <source>Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Version gaussienne</translation>
     </message>
     <message>
         <source>Texton</source>
-        <translation type="unfinished"></translation>
+        <translation>Texton</translation>
     </message>
     <message>
         <source>Noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Bruit</translation>
     </message>
     <message>
         <source>Picture in this view</source>
-        <translation type="unfinished"></translation>
+        <translation>Image de cette vue</translation>
     </message>
     <message>
         <source>Picture right of the border</source>
-        <translation type="unfinished"></translation>
+        <translation>Image à droite de la limite</translation>
     </message>
     <message>
         <source>What this view shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que montre cette vue.</translation>
     </message>
     <message>
         <source>What is shown right of the border that you can drag.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est montré à droite de la limite que l&apos;on fait glisser.</translation>
     </message>
     <message>
         <source>Method of the Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Méthode de la version gaussienne</translation>
     </message>
     <message>
         <source>ADSN: random phases and strengths, what texton noise comes to. RPN: random phases only, keeps the exact spectrum of the photo.</source>
-        <translation type="unfinished"></translation>
+        <translation>ADSN&#xa0;: phases et amplitudes aléatoires, ce vers quoi tend le bruit de textons. RPN&#xa0;: phases aléatoires seulement, garde le spectre exact de la photo.</translation>
     </message>
     <message>
         <source>ADSN</source>
-        <translation type="unfinished"></translation>
+        <translation>ADSN</translation>
     </message>
     <message>
         <source>RPN</source>
-        <translation type="unfinished"></translation>
+        <translation>RPN</translation>
     </message>
     <message>
         <source>Another Gaussian version</source>
-        <translation type="unfinished"></translation>
+        <translation>Une autre version gaussienne</translation>
     </message>
     <message>
         <source>Roll the dice for another Gaussian version.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lancer les dés pour une autre version gaussienne.</translation>
     </message>
     <message>
         <source>This is still an older result; the new one is being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>C&apos;est encore un résultat périmé&#xa0;; le nouveau est en cours de calcul.</translation>
     </message>
     <message>
         <source>Older result</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultat périmé</translation>
     </message>
 </context>
 </TS>

@@ -141,6 +141,7 @@ QSpinBox* ExportDialog::sizeField(const QString& name, const QString& label) {
     field->setAccessibleName(label);
     field->setRange(1, ExportPlan::kMaxSidePx);
     field->setSuffix(tr(" px"));
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     connect(field, &QSpinBox::valueChanged, this, &ExportDialog::readPlan);
     return field;
 }
@@ -230,6 +231,7 @@ void ExportDialog::build() {
     m_kinds->setObjectName(QStringLiteral("exportKinds"));
     m_kinds->setAccessibleName(tr("What to export"));
     m_kinds->setFixedWidth(152);
+    m_kinds->ensurePolished(); // the rows are measured by the style
     m_kinds->addItems({tr("Texton"), tr("Noise texture"), tr("Current view"), tr("For engines")});
     m_pages = new QStackedWidget;
     m_pages->addWidget(buildTextonPage());

@@ -18,12 +18,12 @@
 namespace txn::app {
 namespace {
 
-constexpr std::size_t kMostCharts = 4;
+constexpr int kMostCharts = 4;
 
-QString channelName(std::size_t channel, std::size_t count) {
-    const std::array names{HistogramPanel::tr("Red"),
-                           HistogramPanel::tr("Green"),
-                           HistogramPanel::tr("Blue")};
+QString channelName(qsizetype channel, qsizetype count) {
+    const QStringList names{HistogramPanel::tr("Red"),
+                            HistogramPanel::tr("Green"),
+                            HistogramPanel::tr("Blue")};
     if (count == 1)
         return HistogramPanel::tr("Gray");
     if (count == names.size() && channel < names.size())
@@ -59,7 +59,7 @@ HistogramPanel::HistogramPanel(Pipeline& pipeline, QWidget* parent)
     column->setSpacing(4);
     column->addLayout(row, 1);
     column->addWidget(m_legend);
-    for (std::size_t i = 0; i < kMostCharts; ++i) {
+    for (int i = 0; i < kMostCharts; ++i) {
         auto* view = new QChartView;
         view->setObjectName(QStringLiteral("histogram%1").arg(i));
         view->setFrameShape(QFrame::NoFrame);
@@ -90,7 +90,8 @@ void HistogramPanel::showAnalysis() {
         auto* chart = new QChart;
         chart->setMargins({0, 0, 0, 0});
         chart->setBackgroundBrush(Qt::NoBrush);
-        chart->setTitle(channelName(channel, channels));
+        chart->setTitle(
+            channelName(static_cast<qsizetype>(channel), static_cast<qsizetype>(channels)));
         chart->setTitleBrush(colors.text);
         chart->legend()->hide();
         // The Gaussian version first: it lies below the noise, which should be the same.

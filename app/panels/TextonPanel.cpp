@@ -44,7 +44,7 @@ QString inWords(double error) {
     if (error <= 0.55)
         return TextonPanel::tr("As close as two photos of this material");
     if (error <= 0.75)
-        return TextonPanel::tr("Fair. A larger support may keep more of the grain");
+        return TextonPanel::tr("Fair. A larger support may help");
     return TextonPanel::tr("Long grain is lost. Try a larger support");
 }
 
@@ -94,6 +94,7 @@ QWidget* TextonPanel::buildResult() {
     m_numbers = new QLabel;
     m_numbers->setObjectName(QStringLiteral("textonNumbers"));
     m_numbers->setProperty("role", QStringLiteral("secondary"));
+    m_numbers->setWordWrap(true);
     m_numbers->setToolTip(
         tr("The relative model error: 0 is the same texture. The method leaves about "
            "0.46 of the photo's own randomness, so do not expect 0."));

@@ -59,6 +59,8 @@ class NoiseFeed : public QObject {
     void request(const NoiseRequest& request);
     /// The newest frame; its image is null before the first one.
     const NoiseFrame& frame() const { return m_frame; }
+    /// Whether it answers the newest request, in full.
+    bool isCurrent() const { return m_frame.complete && m_frame.request == m_last; }
 
   signals:
     void frameReady();

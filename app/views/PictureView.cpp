@@ -189,7 +189,7 @@ void PictureView::refresh() {
 
 void PictureView::requestNoise() {
     NoiseRequest request;
-    if ((picture() == Picture::Noise || m_second == Picture::Noise) && isVisible()) {
+    if (shows(Picture::Noise) && isVisible()) {
         const Project& project = m_document.project();
         const ViewState& view = m_document.view();
         request.texton = m_pipeline.noiseTexton();

@@ -53,6 +53,9 @@ class PictureView : public QWidget {
     QSize screen() const;
     void zoomBy(double factor); ///< at the mouse, or else in the middle
     const NoiseFrame& noiseFrame() const { return m_feed->frame(); }
+    /// Whether that is what was asked for, in full.
+    bool isNoiseCurrent() const { return m_feed->isCurrent(); }
+    bool shows(Picture which) const { return picture() == which || m_second == which; }
     /// What is seen, without border and title.
     QImage grabPicture();
 

@@ -168,8 +168,7 @@ void ViewArea::showGaussian() {
 
 QImage ViewArea::screenshotOfNoise() {
     for (PictureView* view : m_views) {
-        if (view->isVisible() && view->picture() == Picture::Noise &&
-            !view->noiseFrame().image.isNull())
+        if (view->isVisible() && view->shows(Picture::Noise) && !view->noiseFrame().image.isNull())
             return view->noiseFrame().image;
     }
     return {};
@@ -194,18 +193,19 @@ bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
 
 bool ViewArea::holdKey(const QKeyEvent& event) {
     const bool press = event.type() == QEvent::KeyPress;
-    if (event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab || event.key() == Qt::Key_F6)
+    const int key = event.key();
+    if (key == Qt::Key_Tab || key == Qt::Key_Backtab || key == Qt::Key_F6 || key == Qt::Key_Up ||
+        key == Qt::Key_Down || key == Qt::Key_Left || key == Qt::Key_Right)
         m_byKeyboard = true;
     if (event.modifiers() != Qt::NoModifier ||
-        (event.key() != Qt::Key_QuoteLeft && event.key() != Qt::Key_X &&
-         event.key() != Qt::Key_Space))
+        (key != Qt::Key_QuoteLeft && key != Qt::Key_X && key != Qt::Key_Space))
         return false;
     PictureView* under = viewUnderMouse();
     // Who types into a field means the letter, and who got to a button by the keyboard wants to
     // press it, wherever the mouse was left.
     const QWidget* focus = QApplication::focusWidget();
     const bool types = focus != nullptr && focus->testAttribute(Qt::WA_InputMethodEnabled);
-    if (press && (under == nullptr || types || (m_byKeyboard && event.key() == Qt::Key_Space)))
+    if (press && (under == nullptr || types || (m_byKeyboard && key == Qt::Key_Space)))
         return false;
     if (event.isAutoRepeat())
         return under != nullptr;
@@ -213,9 +213,9 @@ bool ViewArea::holdKey(const QKeyEvent& event) {
     for (PictureView* view : m_views) {
         if (press && view != under)
             continue;
-        if (event.key() == Qt::Key_QuoteLeft)
+        if (key == Qt::Key_QuoteLeft)
             view->setFlipped(press);
-        else if (event.key() == Qt::Key_X)
+        else if (key == Qt::Key_X)
             view->setDifference(press);
         else
             view->setPanning(press);

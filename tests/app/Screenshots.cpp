@@ -1,155 +1,125 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes pictures of the program's main states into a folder; see script/screenshots.
-#include "app/Application.h"
-#include "app/MainWindow.h"
-#include "app/files/FileController.h"
-#include "app/look/Language.h"
-#include "app/look/Theme.h"
 #include "app/panels/NoisePanel.h"
 #include "app/panels/TextonPanel.h"
-#include "app/views/ViewArea.h"
-#include "app/widgets/ActionRegistry.h"
+#include "tests/app/Studio.h"
 
-#include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
-#include <QElapsedTimer>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
 #include <cstdio>
-#include <functional>
 
+using namespace txn;
 using namespace txn::app;
+using namespace txn::test;
 
 namespace {
 
-constexpr int kPatienceMs = 60000;
-
-bool waitFor(const std::function<bool()>& condition) {
-    QElapsedTimer watch;
-    watch.start();
-    while (!condition()) {
-        if (watch.elapsed() > kPatienceMs)
-            return false;
-        QTest::qWait(10);
-    }
-    return true;
-}
-
-class Photographer {
+class Photographer : public Studio {
   public:
-    Photographer(QApplication& application, QDir folder, const QString& language, ThemeChoice theme)
-        : m_folder(std::move(folder)), m_settings(m_home.filePath(QStringLiteral("settings.ini"))) {
-        installLanguage(application, language);
-        applyTheme(application, theme);
-        m_settings.setTheme(theme);
-        m_studio =
-            std::make_unique<Application>(m_settings, m_home.filePath(QStringLiteral("recovery")));
-        m_studio->window().resize(1440, 900);
-        m_studio->window().show();
-        m_studio->start({});
+    Photographer(QDir folder, const QString& language, ThemeChoice theme)
+        : Studio(language, theme), m_folder(std::move(folder)) {
+        (**this).start({});
     }
 
-    Application& studio() { return *m_studio; }
-    void trigger(const char* action) {
-        m_studio->window().actions().find(QLatin1String(action))->trigger();
-    }
     void raise(const char* dock) {
-        auto* found = m_studio->window().findChild<QDockWidget*>(QLatin1String(dock));
+        auto* found = find<QDockWidget>(dock);
         found->show();
         found->raise();
     }
     void scene(NoiseScene scene) {
-        m_studio->document().change(NoisePanel::tr("Noise view"),
-                                    [scene](Project& project) { project.noise.scene = scene; });
+        document().change(NoisePanel::tr("Noise view"),
+                          [scene](Project& project) { project.noise.scene = scene; });
     }
-    void openSample(const char* name) {
-        m_studio->window().files().openSample(QLatin1String(name));
-    }
-    /// Everything computed and the noise drawn in full.
-    bool settle() {
-        const auto done = [this] {
-            const auto& pipeline = m_studio->pipeline();
-            if (!m_studio->runner().isIdle() || !pipeline.texton() || !pipeline.texton()->finished)
-                return false;
-            for (const PictureView* view : m_studio->window().views().views()) {
-                if (view->isVisible() && view->picture() == Picture::Noise &&
-                    !view->noiseFrame().complete)
-                    return false;
-            }
-            return true;
-        };
-        QTest::qWait(50);
-        const bool settled = waitFor(done);
-        QTest::qWait(150);
-        return settled && waitFor(done);
-    }
-    void take(const char* name, QWidget* widget = nullptr) {
-        QWidget& what = widget != nullptr ? *widget : m_studio->window();
+    /// Of the whole window and what lies over it.
+    void take(const char* name) {
+        QTest::qWait(100);
+        QPixmap picture = window().grab();
+        QPainter painter(&picture);
+        for (QWidget* over : QApplication::topLevelWidgets()) {
+            if (over != &window() && over->isVisible())
+                paintOver(painter, *over);
+        }
+        painter.end();
         const QString path = m_folder.filePath(QLatin1String(name) + QStringLiteral(".png"));
-        if (!what.grab().save(path))
+        if (!picture.save(path))
             std::fprintf(stderr, "cannot write %s\n", qPrintable(path));
     }
 
   private:
-    QTemporaryDir m_home;
+    void paintOver(QPainter& painter, QWidget& over) {
+        const QRect place(window().mapFromGlobal(over.pos()), over.size());
+        painter.drawPixmap(place.topLeft(), over.grab());
+        painter.setPen(themeColors().line); // there is no window manager to frame it
+        painter.drawRect(place.adjusted(-1, -1, 0, 0));
+    }
+
     QDir m_folder;
-    Settings m_settings;
-    std::unique_ptr<Application> m_studio;
 };
 
-bool takeAll(QApplication& application, const QDir& folder) {
+bool takeAll(const QDir& folder) {
     bool good = true;
     {
-        Photographer photographer(application, folder, QStringLiteral("en"), ThemeChoice::Dark);
-        Application& studio = photographer.studio();
-        good = photographer.settle() && good;
-        photographer.take("first-start");
+        Photographer studio(folder, QStringLiteral("en"), ThemeChoice::Dark);
+        good = studio.settle() && good;
+        studio.take("first-start");
 
         studio.document().change(TextonPanel::tr("Iterations"), [](Project& p) {
             p.texton.iterations = 20000;
             p.texton.support = {128, 128};
         });
         QTest::qWait(700);
-        photographer.take("computing");
+        studio.take("computing");
         studio.document().undoStack().undo();
-        good = photographer.settle() && good;
+        good = studio.settle() && good;
 
-        photographer.openSample("stone");
-        photographer.trigger("view.wipe");
-        good = photographer.settle() && good;
-        photographer.take("wipe");
-        photographer.trigger("view.quad");
-        photographer.openSample("wood");
-        photographer.scene(NoiseScene::Perspective);
-        good = photographer.settle() && good;
-        photographer.take("perspective");
-        photographer.scene(NoiseScene::Surface);
-        photographer.openSample("leather");
-        photographer.trigger("view.sideBySide");
-        good = photographer.settle() && good;
-        photographer.take("mesh");
-        photographer.scene(NoiseScene::Plane);
-        photographer.trigger("view.quad");
-        photographer.raise("spectrumDock");
-        good = photographer.settle() && good;
-        photographer.take("spectrum");
-        photographer.raise("histogramDock");
-        good = photographer.settle() && good;
-        photographer.take("histogram");
-        photographer.trigger("help.keys");
-        QTest::qWait(100);
-        photographer.take("keys");
+        studio.trigger("view.wipe");
+        good = studio.openSample("stone") && good;
+        studio.take("wipe");
+        studio.trigger("view.quad");
+        studio.scene(NoiseScene::Perspective);
+        good = studio.openSample("wood") && good;
+        studio.take("perspective");
+        studio.scene(NoiseScene::Surface);
+        studio.trigger("view.sideBySide");
+        good = studio.openSample("leather") && good;
+        studio.take("mesh");
+        studio.scene(NoiseScene::Plane);
+        studio.trigger("view.quad");
+        studio.raise("spectrumDock");
+        good = studio.openSample("cloth") && good;
+        studio.take("spectrum");
+        studio.raise("histogramDock");
+        good = studio.settle() && good;
+        studio.take("histogram");
+        studio.trigger("file.export");
+        studio.find<QListWidget>("exportKinds")->setCurrentRow(1);
+        studio.find<QLineEdit>("exportFolder")->setText(QStringLiteral("/home/artist/materials"));
+        studio.take("export");
+        studio.find<QDialog>("exportDialog")->close();
+        studio.trigger("help.palette");
+        QTest::keyClicks(studio.find<QLineEdit>("paletteSearch"), QStringLiteral("view"));
+        studio.take("palette");
+        studio.find("commandPalette")->close();
+        studio.trigger("help.keys");
+        studio.take("keys");
+        studio.trigger("help.keys");
+        studio.window().files().open(studio.path(QStringLiteral("bark.jpg")));
+        good = studio.settle() && good;
+        studio.take("error");
     }
     {
-        Photographer photographer(application, folder, QStringLiteral("en"), ThemeChoice::Light);
-        good = photographer.settle() && good;
-        photographer.take("light");
+        Photographer studio(folder, QStringLiteral("en"), ThemeChoice::Light);
+        good = studio.openSample("sand") && good;
+        studio.take("light");
     }
     {
-        Photographer photographer(application, folder, QStringLiteral("fr"), ThemeChoice::Dark);
-        good = photographer.settle() && good;
-        photographer.take("french");
+        Photographer studio(folder, QStringLiteral("fr"), ThemeChoice::Dark);
+        good = studio.openSample("metal") && good;
+        studio.take("french");
     }
     return good;
 }
@@ -157,7 +127,7 @@ bool takeAll(QApplication& application, const QDir& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-    QApplication application(argc, argv);
+    const QApplication application(argc, argv);
     if (argc != 2) {
         std::fputs("usage: screenshots FOLDER\n", stderr);
         return 2;
@@ -167,7 +137,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "cannot make the folder %s\n", argv[1]);
         return 1;
     }
-    if (!takeAll(application, folder)) {
+    if (!takeAll(folder)) {
         std::fputs("something did not finish in time\n", stderr);
         return 1;
     }

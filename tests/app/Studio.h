@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/Application.h"
+#include "app/MainWindow.h"
+#include "app/files/FileController.h"
+#include "app/look/Language.h"
+#include "app/look/Theme.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/ActionRegistry.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <functional>
+
+namespace txn::test {
+
+inline constexpr int kPatienceMs = 60000;
+
+/// Lets the program run until the condition holds; false if it never does.
+inline bool waitFor(const std::function<bool()>& condition, int patienceMs = kPatienceMs) {
+    QElapsedTimer watch;
+    watch.start();
+    while (!condition()) {
+        if (watch.elapsed() > patienceMs)
+            return false;
+        QTest::qWait(5);
+    }
+    return true;
+}
+
+/// The whole program, with a home of its own, as a user has it after the start.
+class Studio {
+  public:
+    explicit Studio(const QString& language = QStringLiteral("en"),
+                    app::ThemeChoice theme = app::ThemeChoice::Dark,
+                    QSize size = {1440, 900})
+        : m_settings(m_home.filePath(QStringLiteral("settings.ini"))) {
+        app::installLanguage(*qApp, language);
+        app::applyTheme(*qApp, theme);
+        m_settings.setTheme(theme);
+        m_studio = std::make_unique<app::Application>(m_settings,
+                                                      m_home.filePath(QStringLiteral("recovery")));
+        window().resize(size);
+        window().show();
+        activate();
+    }
+
+    app::Application& operator*() { return *m_studio; }
+    app::Application* operator->() { return m_studio.get(); }
+    app::MainWindow& window() { return m_studio->window(); }
+    app::ProjectDocument& document() { return m_studio->document(); }
+    const app::Project& project() { return m_studio->document().project(); }
+    app::Settings& settings() { return m_settings; }
+    QString path(const QString& name) const { return m_home.filePath(name); }
+
+    /// Keys go to the main window, as after a click on it; without a window manager, closing a
+    /// dialog is not enough.
+    void activate() {
+        window().activateWindow();
+        if (!QTest::qWaitForWindowActive(&window()))
+            qWarning("the window did not become active");
+    }
+
+    /// A control by its name, anywhere in the window and its dialogs.
+    template <class T = QWidget>
+    T* find(const char* name) {
+        return window().template findChild<T*>(QLatin1String(name));
+    }
+    QWidget* part(const char* row, const char* name) {
+        return find(row)->template findChild<QWidget*>(QLatin1String(name));
+    }
+    void trigger(const char* action) { window().actions().find(QLatin1String(action))->trigger(); }
+
+    /// Opens a picture of the recipe, or a file, and waits for all that follows from it.
+    bool openSample(const char* name) {
+        window().files().openSample(QLatin1String(name));
+        return settle();
+    }
+    bool open(const QString& path) {
+        window().files().open(path);
+        return settle();
+    }
+
+    bool isSettled() {
+        const auto& pipeline = m_studio->pipeline();
+        if (!m_studio->runner().isIdle() || pipeline.isStale(app::Picture::Noise) ||
+            pipeline.isStale(app::Picture::Gaussian))
+            return false;
+        if (!pipeline.texton())
+            return true;
+        for (const app::PictureView* view : window().views().views()) {
+            if (view->isVisible() && view->shows(app::Picture::Noise) && !view->isNoiseCurrent())
+                return false;
+        }
+        return pipeline.texton()->finished;
+    }
+    /// Everything computed, and the noise drawn in full.
+    bool settle() {
+        QTest::qWait(30); // what was asked for has begun
+        return waitFor([this] { return isSettled(); });
+    }
+
+  private:
+    QTemporaryDir m_home;
+    app::Settings m_settings;
+    std::unique_ptr<app::Application> m_studio;
+};
+
+} // namespace txn::test
