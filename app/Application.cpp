@@ -21,7 +21,14 @@ Application::Application(Settings& settings, const QString& recoveryFolder)
     : m_settings(settings), m_recoveryFolder(recoveryFolder), m_pipeline(m_document, m_runner),
       m_autosave(std::make_unique<Autosave>(m_document, m_runner, recoveryFolder)),
       m_window(std::make_unique<MainWindow>(
-          MainWindow::Parts{m_settings, m_document, m_runner, m_pipeline, m_noise})) {}
+          MainWindow::Parts{m_settings, m_document, m_runner, m_pipeline, m_noise})) {
+    QObject::connect(m_autosave.get(),
+                     &Autosave::failed,
+                     m_window.get(),
+                     [this](const QString& text) {
+                         m_window->messages().show(MessageBar::Kind::Warning, text);
+                     });
+}
 
 Application::~Application() = default;
 
@@ -38,14 +45,22 @@ void Application::start(const QStringList& files) {
                                       MainWindow::tr("Opened the first of the files."));
         return;
     }
-    if (!offerRecovery())
+    if (!mayBeRecoverable(m_recoveryFolder)) {
         m_window->files().openSample(kFirstSample);
+        return;
+    }
+    m_runner.submit(JobKind::Open,
+                    MainWindow::tr("Looking for unsaved work"),
+                    [this, folder = m_recoveryFolder](JobContext&) -> Delivery {
+                        return [this, copies = findRecoverable(folder)] { offerRecovery(copies); };
+                    });
 }
 
-bool Application::offerRecovery() {
-    auto copies = findRecoverable(m_recoveryFolder);
-    if (copies.empty())
-        return false;
+void Application::offerRecovery(std::vector<RecoveredProject> copies) {
+    if (copies.empty()) {
+        m_window->files().openSample(kFirstSample);
+        return;
+    }
     auto* dialog = new RecoveryDialog(std::move(copies), m_window.get());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog,
@@ -56,7 +71,6 @@ bool Application::offerRecovery() {
         m_window->files().openSample(kFirstSample);
     });
     dialog->open();
-    return true;
 }
 
 void Application::recover(const RecoveredProject& copy) {
@@ -70,8 +84,10 @@ void Application::recover(const RecoveredProject& copy) {
                                                           inWords(saved.error()));
                                 return;
                             }
-                            m_window->files().recover(*saved, copy.originalPath);
-                            discard(copy);
+                            m_window->files().whenSafe([this, saved = *saved, copy] {
+                                m_window->files().recover(saved, copy.originalPath);
+                                m_autosave->adopt(copy);
+                            });
                         };
                     });
 }

@@ -36,7 +36,7 @@ class Application {
     static QString standardRecoveryFolder();
 
   private:
-    bool offerRecovery();
+    void offerRecovery(std::vector<RecoveredProject> copies);
     void recover(const RecoveredProject& copy);
 
     Settings& m_settings;

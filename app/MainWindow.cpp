@@ -17,6 +17,7 @@
 #include "app/views/ViewArea.h"
 #include "app/widgets/ActionRegistry.h"
 #include "app/widgets/MessageBar.h"
+#include "app/widgets/WhatsThis.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -61,6 +62,7 @@ MainWindow::MainWindow(const Parts& parts)
     createStatusBar();
     createActions();
     createMenus();
+    explainByToolTips(*this);
 
     const auto problem = [this](const QString& text) {
         m_messages->show(MessageBar::Kind::Problem, text);
@@ -69,6 +71,10 @@ MainWindow::MainWindow(const Parts& parts)
     connect(m_files, &FileController::note, this, [this](const QString& text) {
         m_messages->show(MessageBar::Kind::Note, text);
     });
+    connect(m_files, &FileController::warning, this, [this](const QString& text) {
+        m_messages->show(MessageBar::Kind::Warning, text);
+    });
+    connect(m_views, &ViewArea::problem, this, problem);
     connect(&m_pipeline, &Pipeline::failed, this, problem);
     connect(&m_runner, &JobRunner::jobFailed, this, [problem](JobKind, const QString& reason) {
         problem(tr("That did not work: %1").arg(reason));
@@ -153,11 +159,14 @@ void MainWindow::createDocks() {
     history->setAccessibleName(tr("History"));
     history->setToolTip(tr("Every change you made. Click one to go back to it."));
     addDock(QStringLiteral("historyDock"), tr("History"), history, Qt::BottomDockWidgetArea, false);
-    addDock(QStringLiteral("jobsDock"),
-            tr("Jobs"),
-            new JobsPanel(m_runner),
-            Qt::BottomDockWidgetArea,
-            false);
+    auto* jobs = new JobsPanel(m_runner);
+    connect(jobs, &JobsPanel::cancelWanted, this, [this](JobKind kind) {
+        if (kind == JobKind::Texton)
+            m_pipeline.cancelTexton(); // what is shown of it goes, too
+        else
+            m_runner.cancel(kind);
+    });
+    addDock(QStringLiteral("jobsDock"), tr("Jobs"), jobs, Qt::BottomDockWidgetArea, false);
 }
 
 void MainWindow::arrangeDocks() {
@@ -201,7 +210,7 @@ void MainWindow::toggleDocks() {
         m_hiddenDocks[dock] = dock->toggleViewAction()->isChecked();
         dock->hide();
     }
-    m_views->setFocus();
+    m_views->views().front()->setFocus();
 }
 
 void MainWindow::focusNextPart() {
@@ -223,14 +232,15 @@ void MainWindow::focusNextPart() {
         if (parts[i] == focused || (focused != nullptr && parts[i]->isAncestorOf(focused)))
             next = (i + 1) % parts.size();
     }
-    QWidget* target = parts[next];
-    target->setFocus(Qt::TabFocusReason);
     // A panel itself takes no focus: its first control does.
-    for (QWidget* child : target->findChildren<QWidget*>()) {
-        if (!target->hasFocus() && child->isVisible() && child->isEnabled() &&
-            (child->focusPolicy() & Qt::TabFocus) == Qt::TabFocus) {
-            child->setFocus(Qt::TabFocusReason);
-            break;
+    QList<QWidget*> candidates = parts[next]->findChildren<QWidget*>();
+    candidates.prepend(parts[next]);
+    for (QWidget* candidate : candidates) {
+        if (candidate->isVisible() && candidate->isEnabled() &&
+            candidate->focusProxy() == nullptr &&
+            (candidate->focusPolicy() & Qt::TabFocus) == Qt::TabFocus) {
+            candidate->setFocus(Qt::TabFocusReason);
+            return;
         }
     }
 }
@@ -239,9 +249,12 @@ void MainWindow::createStatusBar() {
     m_probe = new QLabel;
     m_probe->setObjectName(QStringLiteral("probe"));
     m_zoom = new QLabel;
+    m_probe->setToolTip(tr("Place and values of the pixel under the mouse."));
     m_zoom->setObjectName(QStringLiteral("zoom"));
+    m_zoom->setToolTip(tr("Screen pixels for each pixel of the photo."));
     m_error = new QLabel;
     m_error->setObjectName(QStringLiteral("errorSummary"));
+    m_error->setToolTip(tr("How far the texton is from the photo; see the Texton panel."));
     m_renderer = new QLabel;
     m_renderer->setObjectName(QStringLiteral("renderer"));
     m_renderer->setToolTip(tr("What draws the noise."));

@@ -2,9 +2,11 @@
 // What the menus of the main window do.
 #include "app/MainWindow.h"
 #include "app/document/ProjectDocument.h"
+#include "app/export/ExportJob.h"
 #include "app/files/FileController.h"
 #include "app/look/Language.h"
 #include "app/look/Theme.h"
+#include "app/look/Words.h"
 #include "app/panels/ExportDialog.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
@@ -41,6 +43,8 @@ constexpr std::array kDockOrder{"exemplarDock",
                                 "histogramDock",
                                 "historyDock",
                                 "jobsDock"};
+
+constexpr double kZoomStep = 1.4142135623730951;
 
 QString sampleTitle(const QString& name) {
     const std::map<QString, QString> titles{
@@ -109,7 +113,13 @@ void MainWindow::createFileActions() {
                               [link](Project& project) { project.linked = link; });
         });
     embed->setCheckable(true);
-    const auto showEmbed = [this, embed] { embed->setChecked(!m_document.project().linked); };
+    const auto showEmbed = [this, embed] {
+        // Only what came from a file can be found there again.
+        const auto& source = m_document.project().source;
+        const bool canLink = source && !source->path().isEmpty();
+        embed->setEnabled(canLink);
+        embed->setChecked(!canLink || !m_document.project().linked);
+    };
     connect(&m_document, &ProjectDocument::projectChanged, embed, showEmbed);
     showEmbed();
     action(QStringLiteral("file.export"),
@@ -227,6 +237,16 @@ void MainWindow::createViewActions() {
            tr("Show the whole exemplar."),
            QStringLiteral("F"),
            [this] { m_views->fit(); });
+    action(QStringLiteral("view.zoomIn"),
+           tr("Zoom &in"),
+           tr("Larger, at the mouse."),
+           QStringLiteral("Ctrl++"),
+           [this] { m_views->zoomBy(kZoomStep); });
+    action(QStringLiteral("view.zoomOut"),
+           tr("Zoom &out"),
+           tr("Smaller, at the mouse."),
+           QStringLiteral("Ctrl+-"),
+           [this] { m_views->zoomBy(1.0 / kZoomStep); });
     action(QStringLiteral("view.zoom100"),
            tr("&100 %"),
            tr("One pixel of the picture is one of the screen."),
@@ -383,8 +403,9 @@ void MainWindow::createWindowActions() {
                        tr("&Hide panels"),
                        tr("Nothing but the pictures; the same key brings the panels back."),
                        QStringLiteral("Tab"));
-    hide->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_views->addAction(hide);
+    hide->setShortcutContext(Qt::WidgetShortcut);
+    for (PictureView* view : m_views->views())
+        view->addAction(hide);
     connect(hide, &QAction::triggered, this, &MainWindow::toggleDocks);
     action(QStringLiteral("window.next"),
            tr("&Next panel"),
@@ -479,6 +500,7 @@ void MainWindow::createMenus() {
     fill(file, {"file.new", "file.open"});
     m_recentMenu = file->addMenu(tr("Open &recent"));
     m_sampleMenu = file->addMenu(tr("Open a sa&mple"));
+    m_sampleMenu->setObjectName(QStringLiteral("sampleMenu"));
     fill(file,
          {"",
           "file.save",
@@ -499,6 +521,8 @@ void MainWindow::createMenus() {
           "view.wipe",
           "",
           "view.fit",
+          "view.zoomIn",
+          "view.zoomOut",
           "view.zoom100",
           "view.zoom200",
           "",
@@ -578,8 +602,9 @@ void MainWindow::chooseLanguage(const QString& language) {
 void MainWindow::saveScreenshot() {
     const QImage picture = m_views->screenshotOfNoise();
     if (picture.isNull()) {
-        m_messages->show(MessageBar::Kind::Note,
-                         tr("There is no noise to save yet. Open a photo first."));
+        m_messages->show(
+            MessageBar::Kind::Note,
+            tr("There is no finished noise to save yet. Please wait a moment, or open a photo."));
         return;
     }
     auto* dialog = new QFileDialog(this,
@@ -594,12 +619,19 @@ void MainWindow::saveScreenshot() {
                        QStringLiteral("_noise.png"));
     connect(dialog, &QFileDialog::fileSelected, this, [this, picture](const QString& path) {
         m_settings.setFolder(QStringLiteral("screenshots"), QFileInfo(path).absolutePath());
-        if (picture.save(path, "PNG"))
-            m_messages->show(MessageBar::Kind::Note,
-                             tr("Saved %1").arg(QFileInfo(path).fileName()));
-        else
-            m_messages->show(MessageBar::Kind::Problem,
-                             tr("%1 cannot be written; please choose another folder.").arg(path));
+        m_runner.submit(
+            JobKind::Picture,
+            tr("Saving the picture"),
+            [this, picture, path](JobContext&) -> Delivery {
+                const auto saved = saveView(path, picture);
+                return [this, saved, path] {
+                    if (saved)
+                        m_messages->show(MessageBar::Kind::Note,
+                                         tr("Saved %1").arg(QFileInfo(path).fileName()));
+                    else
+                        m_messages->show(MessageBar::Kind::Problem, inWords(saved.error()));
+                };
+            });
     });
     dialog->open();
 }

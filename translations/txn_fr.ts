@@ -1920,7 +1920,7 @@
     </message>
     <message>
         <source>Relative model error %1 after %2 iterations</source>
-        <translation>Erreur relative du modèle&#xa0;: %1 après %2 itérations</translation>
+        <translation>Erreur du modèle : %1 (%2 itérations)</translation>
     </message>
     <message>
         <source>Computing</source>

@@ -5,8 +5,17 @@ namespace txn::app {
 
 TextonParams textonParams(const TextonSettings& settings) {
     TextonParams params;
-    params.support = settings.disc ? Support::disc(settings.support.width)
-                                   : Support::rectangle(settings.support);
+    switch (settings.shape) {
+    case TextonSettings::Shape::Square:
+        params.support = Support::rectangle({settings.support.width, settings.support.width});
+        break;
+    case TextonSettings::Shape::Rectangle:
+        params.support = Support::rectangle(settings.support);
+        break;
+    case TextonSettings::Shape::Disc:
+        params.support = Support::disc(settings.support.width);
+        break;
+    }
     params.interpolationOrder = settings.interpolationOrder;
     params.iterations = settings.iterations;
     params.momentum = settings.momentum;

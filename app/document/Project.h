@@ -33,8 +33,10 @@ struct TextonSettings {
     static constexpr int kMinSidePx = 4;
     static constexpr int kMaxSidePx = 1024;
 
-    Size support{64, 64};
-    bool disc = false; ///< then of diameter support.width
+    enum class Shape { Square, Rectangle, Disc };
+
+    Shape shape = Shape::Square;
+    Size support{64, 64}; ///< squares and discs are as high as wide
     int interpolationOrder = 1;
     int iterations = 50;
     double momentum = 0.9;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/ProjectDocument.h"
 
+#include "app/memory/Background.h"
+
 #include <QFileInfo>
 #include <QUndoCommand>
 #include <atomic>
@@ -67,6 +69,7 @@ void ProjectDocument::reset(Project project, ViewState view, const QString& file
     m_recovered = false;
     m_project = std::move(project);
     m_view = view;
+    emit replaced();
     emit projectChanged();
     emit viewChanged();
     emit titleChanged();
@@ -88,15 +91,19 @@ QString ProjectDocument::title() const {
     if (!m_filePath.isEmpty())
         return QFileInfo(m_filePath).fileName();
     if (m_project.source)
-        return m_project.source->name;
+        return m_project.source->name();
     if (m_project.importedTexton && !m_project.importedTexton->exemplarName.empty())
         return QString::fromStdString(m_project.importedTexton->exemplarName);
     return tr("Untitled");
 }
 
 void ProjectDocument::setProject(const Project& project) {
-    const bool otherSource = project.source != m_project.source;
+    const auto last = m_project.source;
+    const bool otherSource = project.source != last;
     m_project = project;
+    // The undo stack may keep many photos, but not their pixels.
+    if (last && otherSource)
+        inBackground([last] { last->letGo(); });
     emit projectChanged();
     if (otherSource)
         emit titleChanged();

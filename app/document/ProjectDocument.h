@@ -48,6 +48,8 @@ class ProjectDocument : public QObject {
     QString title() const;
 
   signals:
+    /// By reset(), before the other signals.
+    void replaced();
     void projectChanged();
     void viewChanged();
     void titleChanged();

@@ -68,18 +68,19 @@ QCborValue textonValue(const TextonAsset& asset) {
 
 QCborValue sourceValue(const Source& source, ExemplarStorage storage, const QString& folder) {
     QCborMap map;
-    map[QStringLiteral("name")] = source.name;
-    if (!source.sample.isEmpty()) {
-        map[QStringLiteral("sample")] = source.sample;
+    map[QStringLiteral("name")] = source.name();
+    if (!source.sample().isEmpty()) {
+        map[QStringLiteral("sample")] = source.sample();
         return map;
     }
-    map[QStringLiteral("sha256")] = source.hash;
+    map[QStringLiteral("sha256")] = source.hash();
     // Relative, so that folders can move and nothing is told of the machine.
-    const QString link = QDir(folder).relativeFilePath(source.path);
-    if (storage == ExemplarStorage::Linked && !source.path.isEmpty() && !QDir::isAbsolutePath(link))
+    const QString link = QDir(folder).relativeFilePath(source.path());
+    if (storage == ExemplarStorage::Linked && !source.path().isEmpty() &&
+        !QDir::isAbsolutePath(link))
         map[QStringLiteral("link")] = link;
     else
-        map[QStringLiteral("bytes")] = source.bytes;
+        map[QStringLiteral("bytes")] = source.bytes();
     return map;
 }
 
@@ -106,7 +107,7 @@ QCborValue gaussianValue(const GaussianSettings& gaussian) {
 QCborValue settingsValue(const TextonSettings& texton) {
     return QCborMap{{QStringLiteral("width"), texton.support.width},
                     {QStringLiteral("height"), texton.support.height},
-                    {QStringLiteral("disc"), texton.disc},
+                    {QStringLiteral("shape"), static_cast<int>(texton.shape)},
                     {QStringLiteral("order"), texton.interpolationOrder},
                     {QStringLiteral("iterations"), texton.iterations},
                     {QStringLiteral("momentum"), texton.momentum},
@@ -163,9 +164,9 @@ readSource(const CborReader& reader, const QString& folder, QStringList& warning
     if (link.isEmpty() || QDir::isAbsolutePath(link))
         return Error{ErrorCode::Unreadable, "the exemplar is missing"};
     auto source = openSource(QDir(folder).absoluteFilePath(link));
-    if (source && (*source)->hash != reader.bytes("sha256"))
+    if (source && (*source)->hash() != reader.bytes("sha256"))
         warnings.append(
-            Warnings::tr("%1 has changed since the project was saved.").arg((*source)->name));
+            Warnings::tr("%1 has changed since the project was saved.").arg((*source)->name()));
     return source;
 }
 

@@ -116,7 +116,8 @@ bool readSettings(CborReader reader, TextonSettings& texton) {
             reader.integer(key, TextonSettings::kMinSidePx, TextonSettings::kMaxSidePx, standard));
     };
     texton.support = {side("width", texton.support.width), side("height", texton.support.height)};
-    texton.disc = reader.flag("disc", texton.disc);
+    texton.shape = static_cast<TextonSettings::Shape>(
+        reader.integer("shape", 0, 2, static_cast<int>(texton.shape)));
     texton.interpolationOrder = order(reader, texton.interpolationOrder);
     texton.iterations =
         static_cast<int>(reader.integer("iterations", 1, 100000, texton.iterations));
@@ -124,7 +125,7 @@ bool readSettings(CborReader reader, TextonSettings& texton) {
     texton.seed = readSeed(reader, "seed", texton.seed);
     texton.seedLocked = reader.flag("seed_locked", texton.seedLocked);
     texton.colorCorrection = reader.flag("color_correction", texton.colorCorrection);
-    return reader.isGood() && (!texton.disc || texton.support.width == texton.support.height);
+    return reader.isGood();
 }
 
 bool readNoise(CborReader reader, NoiseSettings& noise) {

@@ -14,50 +14,24 @@ namespace {
 
 constexpr Size kSampleSize{512, 512};
 
-QByteArray contentHash(const QByteArray& bytes) {
-    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
-}
-
 std::filesystem::path toPath(const QString& name) {
     return {QFile::encodeName(name).toStdString()};
 }
 
-Result<std::shared_ptr<const Source>> withBytes(const QString& path, LoadedImage loaded) {
+Result<Source::File> readFile(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return Error{ErrorCode::Unreadable,
                      quoted(toPath(path)) + ": " + file.errorString().toStdString()};
-    auto source = std::make_shared<Source>();
-    source->name = QFileInfo(path).fileName();
-    source->path = QFileInfo(path).absoluteFilePath();
-    source->bytes = file.readAll();
-    source->hash = contentHash(source->bytes);
-    source->loaded = std::move(loaded);
-    return std::shared_ptr<const Source>(std::move(source));
+    const QByteArray bytes = file.readAll();
+    return Source::File{QFileInfo(path).fileName(),
+                        QFileInfo(path).absoluteFilePath(),
+                        {},
+                        bytes,
+                        QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
 }
 
-} // namespace
-
-Result<std::shared_ptr<const Source>> openSource(const QString& path) {
-    auto loaded = loadImage(toPath(path));
-    if (!loaded)
-        return loaded.error();
-    return withBytes(path, std::move(*loaded));
-}
-
-Result<Opened> openFile(const QString& path) {
-    auto loaded = loadTextonOrImage(toPath(path));
-    if (!loaded)
-        return loaded.error();
-    if (auto* asset = std::get_if<TextonAsset>(&*loaded))
-        return Opened(std::make_shared<const TextonAsset>(std::move(*asset)));
-    auto source = withBytes(path, std::move(std::get<LoadedImage>(*loaded)));
-    if (!source)
-        return source.error();
-    return Opened(std::move(*source));
-}
-
-Result<std::shared_ptr<const Source>> decodeSource(const QByteArray& bytes, const QString& name) {
+Result<LoadedImage> decoded(const QByteArray& bytes, const QString& name) {
     // The decoders read files only.
     QTemporaryFile file;
     if (!file.open() || file.write(bytes) != bytes.size() || !file.flush())
@@ -71,24 +45,92 @@ Result<std::shared_ptr<const Source>> decodeSource(const QByteArray& bytes, cons
         message.replace(file.fileName(), name);
         return Error{loaded.error().code, message.toStdString()};
     }
-    auto source = std::make_shared<Source>();
-    source->name = name;
-    source->bytes = bytes;
-    source->hash = contentHash(bytes);
-    source->loaded = std::move(*loaded);
-    return std::shared_ptr<const Source>(std::move(source));
+    return loaded;
 }
 
-Result<std::shared_ptr<const Source>> sampleSource(const QString& sample) {
+Result<LoadedImage> drawnSample(const QString& sample) {
     auto image = makeSample(sample.toStdString(), kSampleSize, Seed{1});
     if (!image)
         return image.error();
-    auto source = std::make_shared<Source>();
-    source->name = sample + QStringLiteral(".png");
-    source->sample = sample;
-    source->loaded.image = std::move(*image);
-    source->loaded.channelNames = {"R", "G", "B"};
-    return std::shared_ptr<const Source>(std::move(source));
+    LoadedImage loaded;
+    loaded.image = std::move(*image);
+    loaded.channelNames = {"R", "G", "B"};
+    return loaded;
+}
+
+} // namespace
+
+Source::Source(File file, LoadedImage loaded)
+    : m_file(std::move(file)), m_facts{loaded.image.size(),
+                                       loaded.image.channels(),
+                                       loaded.sampleFormat,
+                                       loaded.image.transfer(),
+                                       loaded.iccConverted,
+                                       loaded.alpha.has_value()},
+      m_picture(std::make_shared<const LoadedImage>(std::move(loaded))) {}
+
+Result<Source::Picture> Source::picture() const {
+    // Held while decoding: who comes second wants the same picture.
+    const std::lock_guard lock(m_mutex);
+    if (m_picture)
+        return m_picture;
+    auto loaded =
+        m_file.sample.isEmpty() ? decoded(m_file.bytes, m_file.name) : drawnSample(m_file.sample);
+    if (!loaded)
+        return loaded.error();
+    m_picture = std::make_shared<const LoadedImage>(std::move(*loaded));
+    return m_picture;
+}
+
+void Source::letGo() const {
+    Picture freed;
+    const std::lock_guard lock(m_mutex);
+    freed.swap(m_picture);
+}
+
+Result<std::shared_ptr<const Source>> openSource(const QString& path) {
+    auto loaded = loadImage(toPath(path));
+    if (!loaded)
+        return loaded.error();
+    auto file = readFile(path);
+    if (!file)
+        return file.error();
+    return std::make_shared<const Source>(std::move(*file), std::move(*loaded));
+}
+
+Result<Opened> openFile(const QString& path) {
+    auto loaded = loadTextonOrImage(toPath(path));
+    if (!loaded)
+        return loaded.error();
+    if (auto* asset = std::get_if<TextonAsset>(&*loaded))
+        return Opened(std::make_shared<const TextonAsset>(std::move(*asset)));
+    auto file = readFile(path);
+    if (!file)
+        return file.error();
+    return Opened(std::make_shared<const Source>(std::move(*file),
+                                                 std::move(std::get<LoadedImage>(*loaded))));
+}
+
+Result<std::shared_ptr<const Source>> decodeSource(const QByteArray& bytes, const QString& name) {
+    auto loaded = decoded(bytes, name);
+    if (!loaded)
+        return loaded.error();
+    return std::make_shared<const Source>(
+        Source::File{name,
+                     {},
+                     {},
+                     bytes,
+                     QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)},
+        std::move(*loaded));
+}
+
+Result<std::shared_ptr<const Source>> sampleSource(const QString& sample) {
+    auto loaded = drawnSample(sample);
+    if (!loaded)
+        return loaded.error();
+    return std::make_shared<const Source>(
+        Source::File{sample + QStringLiteral(".png"), {}, sample, {}, {}},
+        std::move(*loaded));
 }
 
 } // namespace txn::app

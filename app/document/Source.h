@@ -7,21 +7,55 @@
 #include <QByteArray>
 #include <QString>
 #include <memory>
+#include <mutex>
 #include <variant>
 
 namespace txn::app {
 
-/// What the artist opened, as it was opened: the file's bytes and the picture in them. Immutable,
-/// shared between threads and between steps of the undo stack.
-struct Source {
-    QString name;     ///< the file's name without folders, or the sample's
-    QString path;     ///< absolute; empty for samples and pasted pictures
-    QString sample;   ///< of a generated sample: its name in the catalog
-    QByteArray bytes; ///< of the file; empty for samples
-    QByteArray hash;  ///< SHA-256 of the bytes
-    LoadedImage loaded;
+/// What the artist opened, as it was opened: the file's bytes, and the picture in them as long as
+/// somebody needs it. Immutable to its users, shared between threads and between steps of the undo
+/// stack, where bytes cost little and decoded pictures much.
+class Source {
+  public:
+    using Picture = std::shared_ptr<const LoadedImage>;
+    struct File {
+        QString name;     ///< without folders, or the sample's
+        QString path;     ///< absolute; empty for samples and pasted pictures
+        QString sample;   ///< of a generated sample: its name in the catalog
+        QByteArray bytes; ///< empty for samples
+        QByteArray hash;  ///< SHA-256 of the bytes
+    };
+    /// What there is to know without the pixels.
+    struct Facts {
+        Size size;
+        int channels = 0;
+        SampleFormat sampleFormat{};
+        Transfer transfer{};
+        bool iccConverted = false;
+        bool hasAlpha = false;
+    };
 
-    Size size() const { return loaded.image.size(); }
+    Source(File file, LoadedImage loaded);
+
+    const QString& name() const { return m_file.name; }
+    const QString& path() const { return m_file.path; }
+    const QString& sample() const { return m_file.sample; }
+    const QByteArray& bytes() const { return m_file.bytes; }
+    const QByteArray& hash() const { return m_file.hash; }
+    const Facts& facts() const { return m_facts; }
+    Size size() const { return m_facts.size; }
+
+    /// The picture, decoded again if it was let go: may take long. Any thread. Errors: those of
+    /// loadImage.
+    [[nodiscard]] Result<Picture> picture() const;
+    /// Frees the pixels until somebody asks for them again. Any thread.
+    void letGo() const;
+
+  private:
+    File m_file;
+    Facts m_facts;
+    mutable std::mutex m_mutex;
+    mutable Picture m_picture;
 };
 
 /// Reads and decodes a picture. Any thread. Errors: those of loadImage; the message names the file.

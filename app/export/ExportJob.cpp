@@ -21,6 +21,8 @@ NoiseParams noiseParams(const NoiseSettings& noise) {
     return {noise.process, noise.meanImpacts, noise.seed, std::nullopt};
 }
 
+const Error kCancelled{ErrorCode::Cancelled, "cancelled"};
+
 Result<void> writeTexton(const QStringList& files, const ExportSnapshot& snapshot) {
     std::vector<std::filesystem::path> paths;
     for (const QString& file : files) {
@@ -59,7 +61,9 @@ Result<double> writeNoise(const QString& file,
     return report->clippedShare;
 }
 
-Result<void> writeView(const QString& file, const QImage& view) {
+} // namespace
+
+Result<void> saveView(const QString& file, const QImage& view) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (view.isNull() || !buffer.open(QIODevice::WriteOnly) ||
@@ -73,9 +77,13 @@ Result<void> writeView(const QString& file, const QImage& view) {
     return output.commit();
 }
 
+namespace {
+
 /// files: as of exportFiles for engines.
-Result<void>
-writeEngine(const QStringList& files, const ExportPlan& plan, const ExportSnapshot& snapshot) {
+Result<void> writeEngine(const QStringList& files,
+                         const ExportPlan& plan,
+                         const ExportSnapshot& snapshot,
+                         const JobContext& context) {
     const Texton& texton = snapshot.asset.texton;
     const NoiseParams noise = noiseParams(snapshot.noise);
     auto shader = engineShader(texton, noise);
@@ -93,6 +101,8 @@ writeEngine(const QStringList& files, const ExportPlan& plan, const ExportSnapsh
         if (auto ok = output.addText(toPath(files[static_cast<qsizetype>(i) + 2]), texts[i]); !ok)
             return ok.error();
     }
+    if (context.cancelled())
+        return kCancelled;
     if (auto ok = writeTexton({files.front()}, snapshot); !ok)
         return ok.error();
     return output.commit();
@@ -106,6 +116,8 @@ runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& co
     watch.start();
     ExportReport report;
     report.files = exportFiles(plan, snapshot);
+    if (context.cancelled())
+        return kCancelled;
     Result<void> done;
     switch (plan.kind) {
     case ExportKind::Texton:
@@ -119,10 +131,10 @@ runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& co
         break;
     }
     case ExportKind::View:
-        done = writeView(report.files.front(), snapshot.view);
+        done = saveView(report.files.front(), snapshot.view);
         break;
     case ExportKind::Engine:
-        done = writeEngine(report.files, plan, snapshot);
+        done = writeEngine(report.files, plan, snapshot, context);
         break;
     }
     if (!done)

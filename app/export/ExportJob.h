@@ -17,4 +17,8 @@ struct ExportReport {
 [[nodiscard]] Result<ExportReport>
 runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& context);
 
+/// What is on screen as a PNG file, whole or not at all. Any thread. Errors: InvalidArgument for no
+/// picture, Unwritable.
+[[nodiscard]] Result<void> saveView(const QString& file, const QImage& view);
+
 } // namespace txn::app

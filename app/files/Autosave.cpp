@@ -2,6 +2,8 @@
 #include "app/files/Autosave.h"
 
 #include "app/display/PicturePyramid.h"
+#include "core/image/ImageGeometry.h"
+#include "core/sheet/ContactSheet.h"
 
 #include <QBuffer>
 #include <QCborMap>
@@ -18,18 +20,35 @@ namespace {
 
 const QString kEnding = QStringLiteral(".recovery");
 const QString kFormat = QStringLiteral("texton-studio-recovery");
-constexpr int kThumbnailPx = 96;
+const QString kLockEnding = QStringLiteral(".lock");
+constexpr int kThumbnailPx = 192;
+
+/// What the artist would see again: the part of the photo that was used, or the texton.
+QImage preview(const Project& project) {
+    if (project.importedTexton)
+        return toQImage(textonPicture(project.importedTexton->texton, {0, 0}));
+    const auto picture = project.source ? project.source->picture() : Error{};
+    if (!picture)
+        return {};
+    const auto& crop = project.edit.crop;
+    const auto part = crop ? txn::crop((*picture)->image, *crop) : Error{};
+    return toQImage(part ? *part : (*picture)->image);
+}
 
 QByteArray thumbnail(const Project& project) {
-    if (!project.source)
-        return {};
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (buffer.open(QIODevice::WriteOnly))
-        toQImage(project.source->loaded.image)
-            .scaled(kThumbnailPx, kThumbnailPx, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+    const QImage image = preview(project);
+    if (!image.isNull() && buffer.open(QIODevice::WriteOnly))
+        image.scaled(kThumbnailPx, kThumbnailPx, Qt::KeepAspectRatio, Qt::SmoothTransformation)
             .save(&buffer, "PNG");
     return bytes;
+}
+
+bool isAlive(const QString& lockFile) {
+    QLockFile lock(lockFile);
+    lock.setStaleLockTime(0);
+    return !lock.tryLock(0);
 }
 
 QCborMap readWrapper(const QString& path) {
@@ -46,7 +65,7 @@ Autosave::Autosave(ProjectDocument& document, JobRunner& runner, const QString& 
     : m_document(document), m_runner(runner), m_folder(folder) {
     QDir().mkpath(folder);
     m_file = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
-    m_lock = std::make_unique<QLockFile>(m_file + QStringLiteral(".lock"));
+    m_lock = std::make_unique<QLockFile>(m_file + kLockEnding);
     m_lock->setStaleLockTime(0); // as long as the process lives
     m_lock->tryLock(0);
     m_soon.setSingleShot(true);
@@ -73,11 +92,22 @@ void Autosave::schedule() {
         m_soon.start();
 }
 
+void Autosave::adopt(const RecoveredProject& copy) {
+    QFile::remove(m_file);
+    if (QFile::rename(copy.file, m_file))
+        QFile::remove(copy.file + kLockEnding);
+}
+
 void Autosave::write() {
+    if (m_runner.isBusy(JobKind::Autosave)) {
+        m_soon.start(); // a large copy is finished before the next one begins
+        return;
+    }
     m_runner.submit(
         JobKind::Autosave,
         tr("Keeping a copy"),
-        [file = m_file,
+        [this,
+         file = m_file,
          project = m_document.project(),
          view = m_document.view(),
          title = m_document.title(),
@@ -91,23 +121,40 @@ void Autosave::write() {
                 encodeProject(project, view, ExemplarStorage::Embedded, QFileInfo(file).path());
             const QByteArray bytes = QCborValue(map).toCbor();
             QSaveFile output(file);
-            // Once it is given up, it must not come back.
-            if (output.open(QIODevice::WriteOnly) && output.write(bytes) == bytes.size() &&
-                !context.cancelled())
-                output.commit();
-            return {};
+            const bool written = output.open(QIODevice::WriteOnly) &&
+                                 output.write(bytes) == bytes.size() && output.commit();
+            // Once it is given up, it must not come back; whoever cancels removes it, too.
+            if (context.cancelled())
+                QFile::remove(file);
+            if (written)
+                return {};
+            return [this, reason = output.errorString()] {
+                emit failed(
+                    tr("No copy of your work can be kept (%1). Please save it.").arg(reason));
+            };
         });
 }
 
+bool mayBeRecoverable(const QString& folder) {
+    return !QDir(folder).entryList({QStringLiteral("*") + kEnding}, QDir::Files).isEmpty();
+}
+
 std::vector<RecoveredProject> findRecoverable(const QString& folder) {
+    // A program that was killed while it wrote leaves a part of a copy, too.
+    for (const QFileInfo& info :
+         QDir(folder).entryInfoList({QStringLiteral("*") + kEnding + kLockEnding}, QDir::Files)) {
+        if (isAlive(info.filePath()))
+            continue;
+        const QString copy = info.filePath().chopped(kLockEnding.size());
+        for (const QFileInfo& part :
+             QDir(folder).entryInfoList({QFileInfo(copy).fileName() + QStringLiteral(".*")}))
+            QFile::remove(part.filePath());
+    }
     std::vector<RecoveredProject> found;
     for (const QFileInfo& info :
          QDir(folder).entryInfoList({QStringLiteral("*") + kEnding}, QDir::Files, QDir::Time)) {
-        QLockFile lock(info.filePath() + QStringLiteral(".lock"));
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0))
-            continue; // its program is alive
-        lock.unlock();
+        if (isAlive(info.filePath() + kLockEnding))
+            continue;
         const QCborMap map = readWrapper(info.filePath());
         if (map.isEmpty())
             continue;
@@ -127,7 +174,7 @@ Result<SavedProject> readRecovered(const RecoveredProject& copy) {
 
 void discard(const RecoveredProject& copy) {
     QFile::remove(copy.file);
-    QFile::remove(copy.file + QStringLiteral(".lock"));
+    QFile::remove(copy.file + kLockEnding);
 }
 
 } // namespace txn::app

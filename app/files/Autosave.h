@@ -38,6 +38,12 @@ class Autosave : public QObject {
     ~Autosave() override;
 
     const QString& file() const { return m_file; }
+    /// What came back from a copy counts as kept in it until the first copy of its own.
+    void adopt(const RecoveredProject& copy);
+
+  signals:
+    /// No copy can be written; one line for the message bar.
+    void failed(const QString& message);
 
   private:
     void schedule();
@@ -51,7 +57,11 @@ class Autosave : public QObject {
     QTimer m_soon;
 };
 
-/// Copies whose programs have died, newest first. Cheap: exemplars are not decoded.
+/// Whether findRecoverable() may find something. Cheap.
+[[nodiscard]] bool mayBeRecoverable(const QString& folder);
+
+/// Copies whose programs have died, newest first; removes what else those programs left. Reads them
+/// whole: belongs into a job.
 [[nodiscard]] std::vector<RecoveredProject> findRecoverable(const QString& folder);
 
 /// Errors: those of decodeProject. Decodes the exemplar: belongs into a job.

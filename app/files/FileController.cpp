@@ -80,7 +80,7 @@ void FileController::openSource(const QString& title,
                                 tell(source.error());
                                 return;
                             }
-                            show(*source, (*source)->name);
+                            show(*source, (*source)->name());
                             if (!recent.isEmpty())
                                 remember(recent);
                         };
@@ -114,19 +114,25 @@ void FileController::openProjectFile(const QString& path) {
     m_runner.submit(
         JobKind::Open,
         tr("Opening %1").arg(QFileInfo(path).fileName()),
-        [this, path](JobContext&) -> Delivery {
+        [this, path, before = m_document.project()](JobContext&) -> Delivery {
             auto saved = openProject(path);
-            return [this, saved = std::move(saved), path] {
+            return [this, saved = std::move(saved), path, before] {
                 if (!saved) {
                     tell(saved.error());
                     m_settings.removeRecentFile(path);
                     emit recentFilesChanged();
                     return;
                 }
-                m_document.reset(saved->project, saved->view, QFileInfo(path).absoluteFilePath());
-                for (const QString& warning : saved->warnings)
-                    emit note(warning);
-                remember(path);
+                const auto show = [this, saved = *saved, path] {
+                    m_document.reset(saved.project, saved.view, QFileInfo(path).absoluteFilePath());
+                    warn(saved.warnings);
+                    remember(path);
+                };
+                // What was changed while it was read has not been asked about.
+                if (m_document.project() == before)
+                    show();
+                else
+                    whenSafe(show);
             };
         });
 }
@@ -149,10 +155,9 @@ void FileController::openDialog() {
 }
 
 bool FileController::canOpen(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
     return data.hasImage() ||
-           (data.hasUrls() && std::any_of(data.urls().begin(),
-                                          data.urls().end(),
-                                          [](const QUrl& url) { return url.isLocalFile(); }));
+           std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
 }
 
 bool FileController::openMime(const QMimeData& data) {
@@ -162,16 +167,20 @@ bool FileController::openMime(const QMimeData& data) {
             return true;
         }
     }
-    const auto image = data.hasImage() ? qvariant_cast<QImage>(data.imageData()) : QImage();
-    if (image.isNull())
+    // A PNG is passed on as it is; other pictures are unpacked by Qt and packed again in the job.
+    const QByteArray png = data.data(QStringLiteral("image/png"));
+    const auto image =
+        png.isEmpty() && data.hasImage() ? qvariant_cast<QImage>(data.imageData()) : QImage();
+    if (png.isEmpty() && image.isNull())
         return false;
     openSource(
         tr("Pasting a picture"),
-        [image, name = tr("Pasted picture") + QStringLiteral(".png")]()
+        [png, image, name = tr("Pasted picture") + QStringLiteral(".png")]()
             -> Result<std::shared_ptr<const Source>> {
-            QByteArray bytes;
+            QByteArray bytes = png;
             QBuffer buffer(&bytes);
-            if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))
+            if (bytes.isEmpty() &&
+                (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")))
                 return Error{
                     ErrorCode::Unreadable,
                     "the pasted picture cannot be read; please save it as a file and open that"};
@@ -183,7 +192,7 @@ bool FileController::openMime(const QMimeData& data) {
 
 void FileController::newProject() {
     whenSafe([this] {
-        m_runner.cancelAll();
+        m_runner.cancel(JobKind::Open);
         m_document.reset({}, {}, {});
     });
 }
@@ -214,6 +223,10 @@ void FileController::saveAs(const std::function<void()>& then) {
 }
 
 void FileController::saveTo(const QString& path, const std::function<void()>& then) {
+    if (m_runner.isBusy(JobKind::Save)) { // a second one would take the place of the first
+        emit note(tr("Still saving. Please try again in a moment."));
+        return;
+    }
     m_runner.submit(JobKind::Save,
                     tr("Saving"),
                     [this, path, then, project = m_document.project(), view = m_document.view()](
@@ -230,7 +243,7 @@ void FileController::saveTo(const QString& path, const std::function<void()>& th
                             remember(path);
                             emit note(tr("Saved %1").arg(QFileInfo(path).fileName()));
                             if (then)
-                                then();
+                                whenSafe(then);
                         };
                     });
 }
@@ -266,6 +279,12 @@ void FileController::whenSafe(const std::function<void()>& proceed) {
 void FileController::recover(const SavedProject& saved, const QString& originalPath) {
     m_document.reset(saved.project, saved.view, originalPath);
     m_document.markRecovered();
+    warn(saved.warnings);
+}
+
+void FileController::warn(const QStringList& warnings) {
+    if (!warnings.isEmpty())
+        emit warning(warnings.join(QLatin1Char(' ')));
 }
 
 } // namespace txn::app

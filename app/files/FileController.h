@@ -45,6 +45,7 @@ class FileController : public QObject {
   signals:
     void problem(const QString& message);
     void note(const QString& message);
+    void warning(const QString& message);
     /// A file was opened or saved and is among the recent ones now.
     void recentFilesChanged();
 
@@ -59,6 +60,7 @@ class FileController : public QObject {
     void saveTo(const QString& path, const std::function<void()>& then);
     void remember(const QString& path);
     void tell(const Error& error);
+    void warn(const QStringList& warnings);
 
     ProjectDocument& m_document;
     JobRunner& m_runner;

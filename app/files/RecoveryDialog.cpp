@@ -24,6 +24,7 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveredProject> copies, QWidget* pa
     text->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("recoveryList"));
     m_list->setAccessibleName(tr("Work that can come back"));
+    m_list->setToolTip(tr("The newest is at the top."));
     const QLocale locale;
     for (const RecoveredProject& copy : m_copies)
         m_list->addItem(
@@ -34,8 +35,10 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveredProject> copies, QWidget* pa
     auto* recover = new QPushButton(tr("Recover"));
     recover->setObjectName(QStringLiteral("recoveryRecover"));
     recover->setDefault(true);
+    recover->setToolTip(tr("Opens this work again. Save it then; the original file is untouched."));
     auto* discarding = new QPushButton(tr("Delete this copy"));
     discarding->setObjectName(QStringLiteral("recoveryDiscard"));
+    discarding->setToolTip(tr("Gives this work up for good."));
     auto* later = new QPushButton(tr("Later"));
     later->setObjectName(QStringLiteral("recoveryLater"));
     later->setToolTip(tr("Keeps the copies and asks again next time."));

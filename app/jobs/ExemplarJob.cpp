@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/ExemplarJob.h"
 
+#include "app/memory/Background.h"
 #include "core/image/ColorTransfer.h"
 #include "core/image/ImageGeometry.h"
 #include "core/spectral/Lighting.h"
@@ -66,7 +67,7 @@ Result<Image> edited(Image image,
 
 Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     const std::shared_ptr<const Source>& source, const ExemplarEdit& edit, JobContext& context) {
-    const std::string name = source->name.toStdString();
+    const std::string name = source->name().toStdString();
     const auto named = [&](const Error& error) {
         return error.code == ErrorCode::Cancelled
                    ? error
@@ -74,8 +75,13 @@ Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     };
     const Error cancelled{ErrorCode::Cancelled, "cancelled"};
 
-    auto part =
-        edit.crop ? crop(source->loaded.image, *edit.crop) : Result<Image>(source->loaded.image);
+    const auto whole = source->picture();
+    if (!whole)
+        return whole.error();
+    if (context.cancelled())
+        return cancelled;
+    const Image& picture = (*whole)->image;
+    auto part = edit.crop ? crop(picture, *edit.crop) : Result<Image>(picture);
     if (!part)
         return named(part.error());
     // Before samples that are not numbers can spread by filtering.
@@ -98,13 +104,14 @@ Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     context.setProgress(0.7);
     if (context.cancelled())
         return cancelled;
-    PicturePyramid picture(exemplar->image);
+    PicturePyramid pyramid(exemplar->image);
     context.setProgress(0.8);
     if (context.cancelled())
         return cancelled;
-    auto result = std::make_shared<ExemplarResult>(ExemplarResult{std::move(*exemplar),
+    auto result = std::make_shared<ExemplarResult>(ExemplarResult{source,
+                                                                  std::move(*exemplar),
                                                                   std::move(model),
-                                                                  std::move(picture),
+                                                                  std::move(pyramid),
                                                                   {},
                                                                   {},
                                                                   {},
@@ -118,11 +125,11 @@ Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     context.setProgress(0.9);
     if (context.cancelled())
         return cancelled;
-    result->overview = overview(PicturePyramid(source->loaded.image), kOverviewPx);
+    result->overview = overview(PicturePyramid(picture), kOverviewPx);
     if (context.cancelled())
         return cancelled;
     result->seamAfter = seam(PicturePyramid(periodicComponent(result->exemplar.image)));
-    return std::shared_ptr<const ExemplarResult>(std::move(result));
+    return freedInBackground<ExemplarResult>(std::move(result));
 }
 
 } // namespace txn::app

@@ -23,10 +23,11 @@ enum class JobKind {
     Verdict,
     Analysis,
     Save,
+    Picture,
     Export,
     Autosave
 };
-inline constexpr int kJobKinds = 10;
+inline constexpr int kJobKinds = 11;
 
 /// What a finished job leaves to be done on the interface thread.
 using Delivery = std::function<void()>;

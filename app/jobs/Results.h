@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/display/PicturePyramid.h"
+#include "app/document/Source.h"
 #include "core/gaussian/Exemplar.h"
 #include "core/gaussian/GaussianModel.h"
 #include "core/mesh/TriangleMesh.h"
@@ -18,6 +19,7 @@ namespace txn::app {
 // Immutable, shared between the pipeline, views and jobs.
 
 struct ExemplarResult {
+    std::shared_ptr<const Source> source;
     Exemplar exemplar; ///< cropped, straightened, flattened
     GaussianModel model;
     PicturePyramid picture; ///< of exemplar.image

@@ -89,15 +89,21 @@ class MonochromeIcon final : public QIconEngine {
     explicit MonochromeIcon(QString file) : m_file(std::move(file)) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-        painter->drawPixmap(
-            rect,
-            scaledPixmap(rect.size(), mode, QIcon::Off, painter->device()->devicePixelRatioF()));
+        painter->drawPixmap(rect,
+                            drawn(rect.size() * painter->device()->devicePixelRatioF(), mode));
     }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        return scaledPixmap(size, mode, state, 1.0);
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override {
+        return drawn(size, mode);
     }
-    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State, qreal scale) override {
-        QImage image(size * scale, QImage::Format_ARGB32_Premultiplied);
+    /// Qt gives the size in device pixels.
+    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State, qreal) override {
+        return drawn(size, mode);
+    }
+    QIconEngine* clone() const override { return new MonochromeIcon(m_file); }
+
+  private:
+    QPixmap drawn(const QSize& size, QIcon::Mode mode) const {
+        QImage image(size, QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::transparent);
         QPainter painter(&image);
         QSvgRenderer(m_file).render(&painter, QRectF(QPointF(), QSizeF(image.size())));
@@ -107,9 +113,6 @@ class MonochromeIcon final : public QIconEngine {
         painter.end();
         return QPixmap::fromImage(image);
     }
-    QIconEngine* clone() const override { return new MonochromeIcon(m_file); }
-
-  private:
     QString m_file;
 };
 

@@ -259,7 +259,7 @@ void CropCanvas::keyPressEvent(QKeyEvent* event) {
          resize ? top : top + dy,
          left + crop.size.width + dx,
          top + crop.size.height + dy,
-         Gesture{});
+         m_keys.next());
 }
 
 } // namespace txn::app

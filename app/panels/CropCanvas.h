@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/ProjectDocument.h"
+#include "app/document/GestureRun.h"
 #include "core/base/Geometry.h"
 
 #include <QImage>
@@ -67,6 +67,7 @@ class CropCanvas : public QWidget {
     bool m_moving = false;
     Grip m_grip;
     Gesture m_gesture;
+    GestureRun m_keys;
     Rect m_start;
     QPointF m_from; ///< in pixels of the picture
     QPointF m_to;

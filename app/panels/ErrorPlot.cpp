@@ -17,6 +17,7 @@ ErrorPlot::ErrorPlot(QWidget* parent)
       m_error(new QValueAxis) {
     auto* plot = new QChart;
     plot->legend()->hide();
+    plot->setLocalizeNumbers(true);
     plot->setMargins({0, 0, 0, 0});
     plot->setBackgroundRoundness(0.0);
     plot->layout()->setContentsMargins(0, 0, 0, 0);
@@ -30,7 +31,7 @@ ErrorPlot::ErrorPlot(QWidget* parent)
         axis->setTitleFont(small);
         axis->setLineVisible(false);
     }
-    m_iterations->setLabelFormat(QStringLiteral("%d"));
+    m_iterations->setLabelFormat(QStringLiteral("%.0f"));
     m_iterations->setTitleText(tr("Iterations"));
     m_error->setLabelFormat(QStringLiteral("%.1f"));
     m_error->setRange(0.0, 1.0);

@@ -310,22 +310,24 @@ void ExemplarPanel::showSettings() {
     if (edit.flattenRadiusPx)
         m_radius->setValue(*edit.flattenRadiusPx);
     m_periodic->setChecked(edit.periodic);
+    const auto exemplar = m_pipeline.exemplar();
+    m_canvas->setEnabled(exemplar && exemplar->source == project.source);
     if (!open) {
         m_facts->setText(project.importedTexton
                              ? tr("A texton from a file needs no exemplar.")
                              : tr("Open a photo of a material, or drop one here."));
         return;
     }
-    const LoadedImage& loaded = project.source->loaded;
-    QStringList facts{tr("%1 x %2 px").arg(loaded.image.width()).arg(loaded.image.height()),
-                      channelText(loaded.image.channels()),
-                      depthText(loaded.sampleFormat),
-                      loaded.image.transfer() == Transfer::Linear ? tr("linear") : tr("sRGB")};
-    if (loaded.iccConverted)
+    const Source::Facts& known = project.source->facts();
+    QStringList facts{tr("%1 x %2 px").arg(known.size.width).arg(known.size.height),
+                      channelText(known.channels),
+                      depthText(known.sampleFormat),
+                      known.transfer == Transfer::Linear ? tr("linear") : tr("sRGB")};
+    if (known.iccConverted)
         facts.append(tr("color profile converted"));
-    if (loaded.alpha)
+    if (known.hasAlpha)
         facts.append(tr("transparency left out"));
-    m_facts->setText(project.source->name + QLatin1Char('\n') + facts.join(QStringLiteral(", ")));
+    m_facts->setText(project.source->name() + QLatin1Char('\n') + facts.join(QStringLiteral(", ")));
 }
 
 void ExemplarPanel::showExemplar() {
@@ -337,6 +339,11 @@ void ExemplarPanel::showExemplar() {
         m_seamPreview->setImages({}, {});
         return;
     }
+    // Until the new photo is prepared, the old one is seen, and must not be cropped.
+    const bool present = exemplar->source == source;
+    m_canvas->setEnabled(present);
+    if (!present)
+        return;
     m_canvas->setPicture(exemplar->overview, source->size());
     m_evenPreview->setImages(exemplar->evenBefore, exemplar->evenAfter);
     const bool periodic = m_document.project().edit.periodic;

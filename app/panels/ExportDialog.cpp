@@ -5,6 +5,7 @@
 #include "app/look/Words.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
+#include "app/widgets/WhatsThis.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -231,6 +232,7 @@ void ExportDialog::build() {
     m_kinds->setObjectName(QStringLiteral("exportKinds"));
     m_kinds->setAccessibleName(tr("What to export"));
     m_kinds->setFixedWidth(152);
+    m_kinds->setToolTip(tr("What to write."));
     m_kinds->ensurePolished(); // the rows are measured by the style
     m_kinds->addItems({tr("Texton"), tr("Noise texture"), tr("Current view"), tr("For engines")});
     m_pages = new QStackedWidget;
@@ -250,14 +252,21 @@ void ExportDialog::build() {
 
     m_presets = new QComboBox;
     m_presets->setObjectName(QStringLiteral("exportPresets"));
+    m_presets->setAccessibleName(tr("Preset"));
     m_presets->setToolTip(tr("Choices that you saved under a name."));
     auto* save = new QPushButton(tr("Save as preset..."));
     save->setObjectName(QStringLiteral("exportSavePreset"));
     connect(m_presets, &QComboBox::activated, this, &ExportDialog::choosePreset);
     connect(save, &QPushButton::clicked, this, &ExportDialog::savePreset);
+    m_deletePreset = new QPushButton(tr("Delete"));
+    m_deletePreset->setObjectName(QStringLiteral("exportDeletePreset"));
+    m_deletePreset->setToolTip(tr("Forgets the chosen preset."));
+    save->setToolTip(tr("Remembers these choices under a name."));
+    connect(m_deletePreset, &QPushButton::clicked, this, &ExportDialog::deletePreset);
     auto* presets = new QHBoxLayout;
     presets->addWidget(m_presets, 1);
     presets->addWidget(save);
+    presets->addWidget(m_deletePreset);
 
     m_name = new QLineEdit;
     m_name->setObjectName(QStringLiteral("exportName"));
@@ -265,9 +274,11 @@ void ExportDialog::build() {
     connect(m_name, &QLineEdit::textEdited, this, &ExportDialog::readPlan);
     m_folder = new QLineEdit;
     m_folder->setObjectName(QStringLiteral("exportFolder"));
+    m_folder->setAccessibleName(tr("Folder"));
     m_folder->setToolTip(tr("Where the files go."));
     connect(m_folder, &QLineEdit::textEdited, this, &ExportDialog::readPlan);
     auto* browse = new QPushButton(tr("Choose..."));
+    browse->setToolTip(tr("Choose another folder."));
     browse->setObjectName(QStringLiteral("exportBrowse"));
     connect(browse, &QPushButton::clicked, this, &ExportDialog::chooseFolder);
     auto* folder = new QHBoxLayout;
@@ -295,6 +306,7 @@ void ExportDialog::build() {
     m_result->setWordWrap(true);
     m_openFolder = new QPushButton(tr("Open folder"));
     m_openFolder->setObjectName(QStringLiteral("exportOpenFolder"));
+    m_openFolder->setToolTip(tr("Shows where the files are."));
     m_openFolder->hide();
     connect(m_openFolder, &QPushButton::clicked, this, [this] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(m_plan.folder));
@@ -302,8 +314,10 @@ void ExportDialog::build() {
     m_export = new QPushButton(tr("Export"));
     m_export->setObjectName(QStringLiteral("exportStart"));
     m_export->setDefault(true);
+    m_export->setToolTip(tr("Writes the files that are listed."));
     m_cancel = new QPushButton;
     m_cancel->setObjectName(QStringLiteral("exportCancel"));
+    m_cancel->setToolTip(tr("Stops the work, or else closes this window."));
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
     connect(m_cancel, &QPushButton::clicked, this, [this] {
         if (!m_runner.isBusy(JobKind::Export)) {
@@ -311,7 +325,7 @@ void ExportDialog::build() {
             return;
         }
         m_runner.cancel(JobKind::Export);
-        m_result->setText(tr("Cancelled. Nothing was written."));
+        m_result->setText(tr("Cancelled."));
     });
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_result, 1);
@@ -330,6 +344,7 @@ void ExportDialog::build() {
     column->addLayout(where);
     column->addWidget(m_progress);
     column->addLayout(buttons);
+    explainByToolTips(*this);
     resize(640, 580);
 }
 
@@ -389,9 +404,9 @@ ExportSnapshot ExportDialog::snapshot() const {
         shot.asset = *project.importedTexton;
         shot.name = QFileInfo(QString::fromStdString(shot.asset.exemplarName)).completeBaseName();
     } else if (project.source) {
-        shot.asset.exemplarName = project.source->name.toStdString();
+        shot.asset.exemplarName = project.source->name().toStdString();
         shot.asset.seed = project.texton.seed;
-        shot.name = QFileInfo(project.source->name).completeBaseName();
+        shot.name = QFileInfo(project.source->name()).completeBaseName();
     }
     if (shot.name.isEmpty())
         shot.name = tr("material");
@@ -402,8 +417,20 @@ ExportSnapshot ExportDialog::snapshot() const {
     return shot;
 }
 
+bool ExportDialog::isReady() const {
+    return m_pipeline.noiseTexton() && m_pipeline.texton() && m_pipeline.texton()->finished;
+}
+
+void ExportDialog::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    showPlan();
+    showProgress();
+}
+
 void ExportDialog::showFiles() {
-    const bool ready = m_pipeline.noiseTexton() != nullptr && m_pipeline.texton()->finished;
+    if (!isVisible())
+        return; // showEvent() asks again
+    const bool ready = isReady();
     QStringList lines;
     if (ready) {
         for (const QString& file : exportFiles(m_plan, snapshot()))
@@ -426,7 +453,7 @@ void ExportDialog::showProgress() {
     if (info && info->remainingMs)
         m_result->setText(
             tr("%n s left", nullptr, static_cast<int>((*info->remainingMs + 999) / 1000)));
-    m_export->setEnabled(!info && m_pipeline.noiseTexton() && m_pipeline.texton()->finished);
+    m_export->setEnabled(!info && isReady());
 }
 
 void ExportDialog::loadPresets() {
@@ -434,8 +461,7 @@ void ExportDialog::loadPresets() {
     m_presets->addItem(tr("None"));
     const QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
     m_presets->addItems(all.keys());
-    if (!all.isEmpty())
-        m_presets->addItem(tr("Delete all presets"));
+    m_deletePreset->setEnabled(false);
 }
 
 void ExportDialog::savePreset() {
@@ -452,17 +478,35 @@ void ExportDialog::savePreset() {
         m_settings.setJson(kPresets, QJsonDocument(all).toJson(QJsonDocument::Compact));
         loadPresets();
         m_presets->setCurrentText(name.trimmed());
+        m_deletePreset->setEnabled(true);
+    });
+    question->open();
+}
+
+void ExportDialog::deletePreset() {
+    const QString name = m_presets->currentText();
+    auto* question = new QMessageBox(QMessageBox::Question,
+                                     tr("Delete the preset?"),
+                                     tr("The preset %1 will be gone.").arg(name),
+                                     QMessageBox::Cancel,
+                                     this);
+    question->setObjectName(QStringLiteral("deletePresetQuestion"));
+    question->addButton(tr("Delete"), QMessageBox::AcceptRole);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, [this, question, name](int) {
+        if (question->buttonRole(question->clickedButton()) != QMessageBox::AcceptRole)
+            return;
+        QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
+        all.remove(name);
+        m_settings.setJson(kPresets, QJsonDocument(all).toJson(QJsonDocument::Compact));
+        loadPresets();
     });
     question->open();
 }
 
 void ExportDialog::choosePreset(int index) {
     const QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
-    if (index > 0 && index == m_presets->count() - 1) {
-        m_settings.setJson(kPresets, {});
-        loadPresets();
-        return;
-    }
+    m_deletePreset->setEnabled(index > 0);
     const auto preset = all.find(m_presets->itemText(index));
     if (index == 0 || preset == all.end())
         return;

@@ -41,6 +41,9 @@ class ExportDialog : public QDialog {
         m_currentView = std::move(currentView);
     }
 
+  protected:
+    void showEvent(QShowEvent* event) override;
+
   private:
     QWidget* buildTextonPage();
     QWidget* buildNoisePage();
@@ -54,6 +57,8 @@ class ExportDialog : public QDialog {
     void loadPresets();
     void savePreset();
     void choosePreset(int index);
+    void deletePreset();
+    bool isReady() const;
     void chooseFolder();
     void start();
     void run(const ExportPlan& plan, const ExportSnapshot& snapshot);
@@ -71,6 +76,7 @@ class ExportDialog : public QDialog {
     QListWidget* m_kinds = nullptr;
     QStackedWidget* m_pages = nullptr;
     QComboBox* m_presets = nullptr;
+    QPushButton* m_deletePreset = nullptr;
     QCheckBox* m_exr = nullptr;
     QCheckBox* m_png = nullptr;
     QCheckBox* m_textonFile = nullptr;

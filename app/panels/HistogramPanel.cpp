@@ -65,6 +65,7 @@ HistogramPanel::HistogramPanel(Pipeline& pipeline, QWidget* parent)
         view->setFrameShape(QFrame::NoFrame);
         view->setRenderHint(QPainter::Antialiasing);
         view->setMinimumSize(120, 96);
+        view->setAccessibleName(tr("Histogram"));
         view->setToolTip(
             tr("How often each value occurs. Where the noise reaches beyond 0 or 1, its "
                "colors are clipped."));
@@ -94,6 +95,7 @@ void HistogramPanel::showAnalysis() {
             channelName(static_cast<qsizetype>(channel), static_cast<qsizetype>(channels)));
         chart->setTitleBrush(colors.text);
         chart->legend()->hide();
+        chart->setLocalizeNumbers(true);
         // The Gaussian version first: it lies below the noise, which should be the same.
         struct Line {
             const TextureAnalysis* analysis;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/JobsPanel.h"
 
+#include "app/look/Theme.h"
+
 #include <QHeaderView>
 #include <QLocale>
 #include <QProgressBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -11,7 +14,7 @@ namespace txn::app {
 namespace {
 
 constexpr int kPollMs = 200;
-enum Column { What, Progress, Time };
+enum Column { What, Progress, Time, Stop };
 
 } // namespace
 
@@ -21,11 +24,13 @@ JobsPanel::JobsPanel(JobRunner& runner, QWidget* parent)
     m_list->setObjectName(QStringLiteral("jobsList"));
     m_list->setAccessibleName(tr("Work in progress"));
     m_list->setToolTip(tr("What is being computed right now."));
-    m_list->setHeaderLabels({tr("Work"), tr("Progress"), tr("Time")});
+    m_list->setHeaderLabels({tr("Work"), tr("Progress"), tr("Time"), QString()});
     m_list->setRootIsDecorated(false);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setSelectionMode(QAbstractItemView::NoSelection);
-    m_list->header()->setStretchLastSection(true);
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(What, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(Stop, QHeaderView::ResizeToContents);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_list);
@@ -46,17 +51,13 @@ void JobsPanel::showJobs() {
     const QLocale locale;
     for (int i = 0; i < static_cast<int>(jobs.size()); ++i) {
         QTreeWidgetItem* item = m_list->topLevelItem(i);
-        if (item == nullptr) {
-            item = new QTreeWidgetItem(m_list);
-            auto* bar = new QProgressBar;
-            bar->setTextVisible(false);
-            bar->setFixedHeight(8);
-            m_list->setItemWidget(item, Progress, bar);
-        }
+        if (item == nullptr)
+            item = addRow();
         const JobRunner::Info& job = jobs[static_cast<std::size_t>(i)];
         item->setText(What, job.title);
+        item->setData(What, Qt::UserRole, static_cast<int>(job.kind));
         auto* bar = static_cast<QProgressBar*>(m_list->itemWidget(item, Progress));
-        bar->setRange(0, 100);
+        bar->setRange(0, job.progress > 0.0 ? 100 : 0); // 0: it moves without telling how far
         bar->setValue(static_cast<int>(job.progress * 100.0));
         item->setText(
             Time,
@@ -65,6 +66,25 @@ void JobsPanel::showJobs() {
                 : tr("%1 s").arg(
                       locale.toString(static_cast<double>(job.elapsedMs) / 1000.0, 'f', 1)));
     }
+}
+
+QTreeWidgetItem* JobsPanel::addRow() {
+    auto* item = new QTreeWidgetItem(m_list);
+    auto* bar = new QProgressBar;
+    bar->setTextVisible(false);
+    bar->setFixedHeight(8);
+    m_list->setItemWidget(item, Progress, bar);
+    auto* stop = new QToolButton;
+    stop->setObjectName(QStringLiteral("jobStop"));
+    stop->setIcon(themeIcon(QStringLiteral("close")));
+    stop->setAccessibleName(tr("Cancel"));
+    stop->setToolTip(tr("Stops this work."));
+    stop->setFocusPolicy(Qt::StrongFocus);
+    m_list->setItemWidget(item, Stop, stop);
+    connect(stop, &QToolButton::clicked, this, [this, item] {
+        emit cancelWanted(static_cast<JobKind>(item->data(What, Qt::UserRole).toInt()));
+    });
+    return item;
 }
 
 } // namespace txn::app

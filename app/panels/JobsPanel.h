@@ -5,8 +5,10 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace txn::app {
 
@@ -17,8 +19,13 @@ class JobsPanel : public QWidget {
   public:
     explicit JobsPanel(JobRunner& runner, QWidget* parent = nullptr);
 
+  signals:
+    /// By the user.
+    void cancelWanted(JobKind kind);
+
   private:
     void showJobs();
+    QTreeWidgetItem* addRow();
 
     JobRunner& m_runner;
     QTreeWidget* m_list;

@@ -20,7 +20,6 @@
 namespace txn::app {
 namespace {
 
-enum Shape { Square, Rectangle, Disc };
 constexpr std::array kOrders{0, 1, 3, 5};
 constexpr int kPollMs = 100;
 constexpr int kProgressSteps = 1000;
@@ -139,10 +138,8 @@ void TextonPanel::build() {
            "follows long grain."));
     connect(m_shape, &ChoiceRow::chosen, this, [this](int shape) {
         change(tr("Texton shape"), [&](TextonSettings& texton) {
-            texton.disc = shape == Disc;
-            if (shape != Rectangle)
-                texton.support.height = texton.support.width;
-            else if (texton.support.height == texton.support.width)
+            texton.shape = static_cast<TextonSettings::Shape>(shape);
+            if (texton.shape == TextonSettings::Shape::Rectangle)
                 texton.support.height =
                     std::max(TextonSettings::kMinSidePx, texton.support.width / 2);
         });
@@ -156,9 +153,8 @@ void TextonPanel::build() {
         change(
             tr("Support"),
             [&](TextonSettings& texton) {
-                const bool square = texton.disc || texton.support.width == texton.support.height;
                 texton.support.width = static_cast<int>(std::lround(value));
-                if (square)
+                if (texton.shape != TextonSettings::Shape::Rectangle)
                     texton.support.height = texton.support.width;
             },
             gesture);
@@ -279,11 +275,10 @@ void TextonPanel::build() {
 void TextonPanel::showSettings() {
     const Project& project = m_document.project();
     const TextonSettings& texton = project.texton;
-    const bool rectangle = !texton.disc && texton.support.width != texton.support.height;
-    m_shape->setCurrent(texton.disc ? Disc : rectangle ? Rectangle : Square);
+    m_shape->setCurrent(static_cast<int>(texton.shape));
     m_width->setValue(texton.support.width);
     m_height->setValue(texton.support.height);
-    m_height->setVisible(rectangle);
+    m_height->setVisible(texton.shape == TextonSettings::Shape::Rectangle);
     for (std::size_t i = 0; i < kOrders.size(); ++i) {
         if (kOrders[i] == texton.interpolationOrder)
             m_order->setCurrent(static_cast<int>(i));

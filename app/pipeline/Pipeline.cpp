@@ -5,6 +5,7 @@
 #include "app/jobs/ExemplarJob.h"
 #include "app/jobs/TextonJob.h"
 #include "app/look/Words.h"
+#include "app/memory/Background.h"
 #include "core/mesh/BuiltinMeshes.h"
 #include "core/mesh/MeshIo.h"
 
@@ -44,11 +45,8 @@ void Pipeline::fail(const Error& error) {
 void Pipeline::updateExemplar() {
     const Project& project = m_document.project();
     if (!project.source) {
-        m_runner.cancel(JobKind::Exemplar);
-        if (m_exemplar.value) {
-            m_exemplar.clear();
+        if (drop(JobKind::Exemplar, m_exemplar))
             emit exemplarChanged();
-        }
         return;
     }
     const ExemplarKey key{project.source, project.edit};
@@ -76,11 +74,8 @@ void Pipeline::updateExemplar() {
 
 void Pipeline::updateGaussian() {
     if (!m_exemplar.value) {
-        m_runner.cancel(JobKind::Gaussian);
-        if (m_gaussian.value) {
-            m_gaussian.clear();
+        if (drop(JobKind::Gaussian, m_gaussian))
             emit gaussianChanged();
-        }
         return;
     }
     if (m_exemplar.isStale())
@@ -96,8 +91,9 @@ void Pipeline::updateGaussian() {
         JobKind::Gaussian,
         tr("Making the Gaussian version"),
         [this, key](JobContext& context) -> Delivery {
-            auto result = std::make_shared<const GaussianResult>(GaussianResult{PicturePyramid(
-                sampleGaussian(key.exemplar->model, key.settings.method, key.settings.seed))});
+            auto result = freedInBackground(
+                std::make_shared<const GaussianResult>(GaussianResult{PicturePyramid(
+                    sampleGaussian(key.exemplar->model, key.settings.method, key.settings.seed))}));
             if (context.cancelled())
                 return {};
             return [this, key, result = std::move(result)] {
@@ -121,9 +117,7 @@ void Pipeline::updateTexton() {
         return;
     }
     if (!m_exemplar.value) {
-        m_runner.cancel(JobKind::Texton);
-        if (m_texton.value) {
-            m_texton.clear();
+        if (drop(JobKind::Texton, m_texton)) {
             m_finishedTexton.reset();
             emit textonChanged();
         }
@@ -180,21 +174,25 @@ void Pipeline::cancelTexton() {
 
 void Pipeline::recomputeTexton() {
     ++m_attempt;
+    // What the texton is made from may have failed, for want of memory, say.
+    if (m_exemplar.isStale() && !m_runner.isBusy(JobKind::Exemplar))
+        m_exemplar.wanted = m_exemplar.made;
     update();
 }
 
 void Pipeline::updateVerdict() {
     if (!m_exemplar.value) {
-        m_runner.cancel(JobKind::Verdict);
-        if (m_verdict.value) {
-            m_verdict.clear();
+        if (drop(JobKind::Verdict, m_verdict))
             emit verdictChanged();
-        }
         return;
     }
     const auto key = m_exemplar.value;
-    if (!m_verdict.want(key) || m_verdict.made == key)
+    if (!m_verdict.want(key))
         return;
+    if (m_verdict.made == key) {
+        m_runner.cancel(JobKind::Verdict);
+        return;
+    }
     m_runner.submit(
         JobKind::Verdict,
         tr("Judging the exemplar"),
@@ -216,11 +214,8 @@ void Pipeline::setAnalysisWanted(bool wanted) {
 
 void Pipeline::updateAnalysis() {
     if (!m_exemplar.value) {
-        m_runner.cancel(JobKind::Analysis);
-        if (m_analysis.value) {
-            m_analysis.clear();
+        if (drop(JobKind::Analysis, m_analysis))
             emit analysisChanged();
-        }
         return;
     }
     if (!m_analysisWanted || !m_gaussian.value || !m_texton.value || !m_texton.value->finished)
@@ -232,8 +227,12 @@ void Pipeline::updateAnalysis() {
                           noise.process,
                           noise.meanImpacts,
                           noise.seed};
-    if (!m_analysis.want(key) || m_analysis.made == key)
+    if (!m_analysis.want(key))
         return;
+    if (m_analysis.made == key) {
+        m_runner.cancel(JobKind::Analysis);
+        return;
+    }
     m_runner.submit(JobKind::Analysis,
                     tr("Measuring spectra"),
                     [this, key](JobContext& context) -> Delivery {
@@ -259,8 +258,12 @@ void Pipeline::updateMesh() {
     if (noise.scene != NoiseScene::Mesh && noise.scene != NoiseScene::Surface)
         return;
     const QString key = noise.mesh;
-    if (!m_mesh.want(key) || m_mesh.made == key)
+    if (!m_mesh.want(key))
         return;
+    if (m_mesh.made == key) {
+        m_runner.cancel(JobKind::Mesh);
+        return;
+    }
     m_runner.submit(JobKind::Mesh, tr("Loading the mesh"), [this, key](JobContext&) -> Delivery {
         auto builtin = builtinMesh(key.toStdString());
         auto mesh = builtin ? Result<TriangleMesh>(std::move(*builtin))

@@ -64,6 +64,14 @@ class Pipeline : public QObject {
     void updateMesh();
     void updateNoiseTexton();
     void fail(const Error& error);
+    /// Empties a stage whose input has gone, and stops its job. Whether there was anything.
+    template <class Key, class Value>
+    bool drop(JobKind kind, Stage<Key, Value>& stage) {
+        m_runner.cancel(kind);
+        const bool was = stage.value || stage.wanted;
+        stage.clear();
+        return was;
+    }
 
     struct ExemplarKey {
         std::shared_ptr<const Source> source;

@@ -92,8 +92,8 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
     }
     const Size size = scaled(request.size, scale);
     const auto start = Clock::now();
-    auto image =
-        m_context ? drawOnCard(request, size, scale, stop) : drawOnProcessor(request, size, scale);
+    auto image = m_context ? drawOnCard(request, size, scale, stop)
+                           : drawOnProcessor(request, size, scale, stop);
     if (!image)
         return image.error();
     if (!*image)
@@ -151,8 +151,10 @@ Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& reques
     return std::optional<Image>(m_target.read(m_shownTexton->channels(), m_shownTexton->transfer));
 }
 
-Result<std::optional<Image>>
-NoisePainter::drawOnProcessor(const NoiseRequest& request, Size size, double scale) {
+Result<std::optional<Image>> NoisePainter::drawOnProcessor(const NoiseRequest& request,
+                                                           Size size,
+                                                           double scale,
+                                                           const std::function<bool()>& stop) {
     // Other views need OpenGL: the plane stands in for them.
     PlaneView plane;
     if (const auto* asked = std::get_if<PlaneView>(&request.view))
@@ -161,13 +163,24 @@ NoisePainter::drawOnProcessor(const NoiseRequest& request, Size size, double sca
     auto grid = NoiseGrid::create(*m_shownTexton, request.style.noise, zoom);
     if (!grid)
         return grid.error();
-    const Rect rect{std::llround(plane.centerX * zoom - size.width / 2.0),
-                    std::llround(plane.centerY * zoom - size.height / 2.0),
-                    size};
-    auto image = grid->render(rect);
-    if (!image)
-        return image.error();
-    return std::optional<Image>(std::move(*image));
+    const auto left = std::llround(plane.centerX * zoom - size.width / 2.0);
+    const auto top = std::llround(plane.centerY * zoom - size.height / 2.0);
+    const int channels = m_shownTexton->channels();
+    const int bandRows = std::max(1, grid->tileSize().height); // tiles are computed whole anyway
+    Image whole(size, channels, 0.0F, m_shownTexton->transfer);
+    for (int y = 0; y < size.height; y += bandRows) {
+        if (y > 0 && stop())
+            return std::optional<Image>();
+        const int rows = std::min(bandRows, size.height - y);
+        const auto band = grid->render({left, top + y, {size.width, rows}});
+        if (!band)
+            return band.error();
+        for (int c = 0; c < channels; ++c) {
+            for (int row = 0; row < rows; ++row)
+                std::ranges::copy(band->row(c, row), whole.row(c, y + row).begin());
+        }
+    }
+    return std::optional<Image>(std::move(whole));
 }
 
 } // namespace txn::app

@@ -34,8 +34,10 @@ class NoisePainter {
                                             Size size,
                                             double scale,
                                             const std::function<bool()>& stop);
-    Result<std::optional<Image>>
-    drawOnProcessor(const NoiseRequest& request, Size size, double scale);
+    Result<std::optional<Image>> drawOnProcessor(const NoiseRequest& request,
+                                                 Size size,
+                                                 double scale,
+                                                 const std::function<bool()>& stop);
 
     std::optional<HeadlessContext> m_context;
     NoiseRenderer m_renderer;

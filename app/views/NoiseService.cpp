@@ -59,6 +59,8 @@ void NoiseFeed::request(const NoiseRequest& request) {
     m_last = request;
     if (!request.texton || request.size.isEmpty()) {
         m_service->m_worker->forget(m_id);
+        if (!request.texton)
+            m_frame = {};
         return;
     }
     if (std::holds_alternative<MeshView>(request.view) && !request.mesh)

@@ -59,8 +59,10 @@ class NoiseFeed : public QObject {
     void request(const NoiseRequest& request);
     /// The newest frame; its image is null before the first one.
     const NoiseFrame& frame() const { return m_frame; }
+    bool isWanted() const { return m_last.texton != nullptr; }
+    QSize wantedSize() const { return m_last.size; }
     /// Whether it answers the newest request, in full.
-    bool isCurrent() const { return m_frame.complete && m_frame.request == m_last; }
+    bool isCurrent() const { return isWanted() && m_frame.complete && m_frame.request == m_last; }
 
   signals:
     void frameReady();

@@ -278,7 +278,7 @@ QImage PictureView::grabPicture() {
 void PictureView::paintHint(QPainter& painter) {
     QString hint;
     const auto& source = m_document.project().source;
-    if (source && !source->sample.isEmpty() && picture() == Picture::Exemplar && !m_flipped)
+    if (source && !source->sample().isEmpty() && picture() == Picture::Exemplar && !m_flipped)
         hint = tr("Drop a photo here");
     else if (!m_document.project().source && !m_document.project().importedTexton)
         hint = picture() == Picture::Exemplar ? tr("Drop a photo here") : QString();
@@ -302,6 +302,8 @@ void PictureView::paintHint(QPainter& painter) {
 }
 
 void PictureView::paintEvent(QPaintEvent*) {
+    if (m_feed->isWanted() && m_feed->wantedSize() != screen()) // moved to a screen of other pixels
+        QMetaObject::invokeMethod(this, &PictureView::requestNoise, Qt::QueuedConnection);
     QPainter painter(this);
     painter.fillRect(QRect(0, 0, width(), ViewTitle::kHeight), themeColors().panel);
     painter.fillRect(area(), surroundColor(m_settings.surround()));
@@ -318,6 +320,10 @@ void PictureView::paintEvent(QPaintEvent*) {
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }
+}
+
+void PictureView::showEvent(QShowEvent*) {
+    refresh(); // what was missed while nobody looked
 }
 
 void PictureView::resizeEvent(QResizeEvent*) {
@@ -346,18 +352,10 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
         m_document.changeView([&](ViewState& view) { pan(view, distance * devicePixelRatioF()); });
         break;
     case Drag::Orbit:
-        m_document.changeView([&](ViewState& view) {
-            view.yaw = std::remainder(view.yaw - distance.x() * kOrbitPerPixel, 2.0 * M_PI);
-            view.pitch = std::clamp(
-                view.pitch + distance.y() * kOrbitPerPixel,
-                m_document.project().noise.scene == NoiseScene::Perspective ? 0.02 : -kHighestPitch,
-                kHighestPitch);
-        });
+        orbit(distance);
         break;
     case Drag::Wipe:
-        m_document.changeView([&](ViewState& view) {
-            view.wipe = std::clamp(event->position().x() / std::max(1, area().width()), 0.0, 1.0);
-        });
+        moveBorder(event->position().x());
         break;
     case Drag::None:
         setCursor(m_second && std::abs(event->position().x() - wipeX()) <= kWipeGrab
@@ -369,6 +367,21 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
     probe(event->position());
 }
 
+void PictureView::orbit(QPointF distance) {
+    const double lowest =
+        m_document.project().noise.scene == NoiseScene::Perspective ? 0.02 : -kHighestPitch;
+    m_document.changeView([&](ViewState& view) {
+        view.yaw = std::remainder(view.yaw - distance.x() * kOrbitPerPixel, 2.0 * M_PI);
+        view.pitch = std::clamp(view.pitch + distance.y() * kOrbitPerPixel, lowest, kHighestPitch);
+    });
+}
+
+void PictureView::moveBorder(double x) {
+    m_document.changeView([&](ViewState& view) {
+        view.wipe = std::clamp(x / std::max(1, area().width()), 0.0, 1.0);
+    });
+}
+
 void PictureView::mouseReleaseEvent(QMouseEvent*) {
     m_drag = Drag::None;
     unsetCursor();
@@ -378,24 +391,25 @@ void PictureView::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps == 0.0)
         return;
-    const double factor = std::pow(kWheelStep, steps);
+    zoomAtPoint(event->position() - QPointF(area().topLeft()), std::pow(kWheelStep, steps));
+    event->accept();
+}
+
+void PictureView::zoomAtPoint(QPointF point, double factor) {
     const bool onMesh = orbits() && m_document.project().noise.scene != NoiseScene::Perspective;
-    const QPointF point = (event->position() - QPointF(area().topLeft())) * devicePixelRatioF();
     m_document.changeView([&](ViewState& view) {
         if (onMesh)
             view.distance = std::clamp(view.distance / factor, 0.2, 20.0);
         else
-            zoomAt(view, screen(), point, factor);
+            zoomAt(view, screen(), point * devicePixelRatioF(), factor);
     });
-    event->accept();
 }
 
 void PictureView::zoomBy(double factor) {
     QPointF point = QPointF(mapFromGlobal(QCursor::pos())) - QPointF(area().topLeft());
     if (!underMouse())
         point = QPointF(area().width() / 2.0, area().height() / 2.0);
-    m_document.changeView(
-        [&](ViewState& view) { zoomAt(view, screen(), point * devicePixelRatioF(), factor); });
+    zoomAtPoint(point, factor);
 }
 
 void PictureView::leaveEvent(QEvent*) {
@@ -404,8 +418,14 @@ void PictureView::leaveEvent(QEvent*) {
 
 void PictureView::keyPressEvent(QKeyEvent* event) {
     constexpr double kStep = 40.0;
+    const bool border = m_second && event->modifiers().testFlag(Qt::ShiftModifier);
     const auto move = [&](double x, double y) {
-        m_document.changeView([&](ViewState& view) { pan(view, QPointF(x, y)); });
+        if (border)
+            moveBorder(wipeX() - x);
+        else if (orbits())
+            orbit(QPointF(-x, -y));
+        else
+            m_document.changeView([&](ViewState& view) { pan(view, QPointF(x, y)); });
     };
     switch (event->key()) {
     case Qt::Key_Left:

@@ -74,6 +74,7 @@ class PictureView : public QWidget {
   protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -98,6 +99,9 @@ class PictureView : public QWidget {
     bool orbits() const;
     void probe(QPointF position);
     double wipeX() const;
+    void moveBorder(double x);
+    void orbit(QPointF distance);
+    void zoomAtPoint(QPointF point, double factor);
 
     ProjectDocument& m_document;
     Pipeline& m_pipeline;

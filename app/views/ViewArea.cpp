@@ -60,10 +60,20 @@ ViewArea::ViewArea(ProjectDocument& document,
         connect(view, &PictureView::titleDoubleClicked, this, [this, place] { maximize(place); });
     }
     connect(&m_document, &ProjectDocument::viewChanged, this, &ViewArea::arrange);
+    connect(&m_document, &ProjectDocument::replaced, this, [this] {
+        m_keepView = m_document.project().source != nullptr;
+        m_fitted = false;
+    });
     connect(&m_pipeline, &Pipeline::exemplarChanged, this, [this] {
-        // Another picture starts whole in view; an edited one stays where it is.
+        // Another picture starts whole in view; an edited one stays where it is, and that of a
+        // project where it was.
         const auto exemplar = m_pipeline.exemplar();
-        if (exemplar && (m_fitted || exemplar->exemplar.image.size() != m_fittedSize))
+        if (!exemplar)
+            return;
+        const Size size = exemplar->exemplar.image.size();
+        if (std::exchange(m_keepView, false))
+            m_fittedSize = size;
+        else if (m_fitted || size != m_fittedSize)
             fit();
     });
     // Held keys act on the view under the mouse, wherever the focus is.
@@ -141,9 +151,20 @@ void ViewArea::fit() {
     m_fitted = true;
 }
 
+void ViewArea::zoomBy(double factor) {
+    m_fitted = false;
+    PictureView* view = viewUnderMouse();
+    (view != nullptr ? *view : mainView()).zoomBy(factor);
+}
+
 void ViewArea::setZoom(double zoom) {
     m_fitted = false;
     m_document.changeView([zoom](ViewState& view) { view.zoom = zoom; });
+}
+
+PictureView* ViewArea::focusedView() const {
+    const auto found = std::find(m_views.begin(), m_views.end(), QApplication::focusWidget());
+    return found != m_views.end() ? *found : nullptr;
 }
 
 PictureView* ViewArea::viewUnderMouse() const {
@@ -168,7 +189,7 @@ void ViewArea::showGaussian() {
 
 QImage ViewArea::screenshotOfNoise() {
     for (PictureView* view : m_views) {
-        if (view->isVisible() && view->shows(Picture::Noise) && !view->noiseFrame().image.isNull())
+        if (view->isVisible() && view->shows(Picture::Noise) && view->isNoiseCurrent())
             return view->noiseFrame().image;
     }
     return {};
@@ -200,7 +221,7 @@ bool ViewArea::holdKey(const QKeyEvent& event) {
     if (event.modifiers() != Qt::NoModifier ||
         (key != Qt::Key_QuoteLeft && key != Qt::Key_X && key != Qt::Key_Space))
         return false;
-    PictureView* under = viewUnderMouse();
+    PictureView* under = m_byKeyboard ? focusedView() : viewUnderMouse();
     // Who types into a field means the letter, and who got to a button by the keyboard wants to
     // press it, wherever the mouse was left.
     const QWidget* focus = QApplication::focusWidget();

@@ -22,12 +22,13 @@ class ViewArea : public QWidget {
 
     void setLayoutKind(ViewLayout layout);
     void fit();
+    void zoomBy(double factor);
     /// In device pixels per pixel of the exemplar.
     void setZoom(double zoom);
     /// The Gaussian version in the view under the mouse.
     void showGaussian();
     std::optional<Picture> pictureUnderMouse() const;
-    /// What a view of the noise shows; null where there is none.
+    /// What a view of the noise shows; null where there is none, or not yet in full.
     QImage screenshotOfNoise();
     const std::array<PictureView*, 4>& views() const { return m_views; }
 
@@ -47,6 +48,7 @@ class ViewArea : public QWidget {
     /// Whether it was one.
     bool holdKey(const QKeyEvent& event);
     PictureView* viewUnderMouse() const;
+    PictureView* focusedView() const;
     PictureView& mainView() const { return *m_views.front(); }
     void choose(std::size_t place, Picture picture);
     void maximize(std::size_t place);
@@ -58,6 +60,7 @@ class ViewArea : public QWidget {
     std::optional<ViewLayout> m_arranged;
     ViewLayout m_beforeMaximizing = ViewLayout::Quad;
     bool m_byKeyboard = false; ///< the focus was moved by keys, not by the mouse
+    bool m_keepView = false;   ///< until the exemplar of the project is there
     bool m_fitted = false;     ///< and not moved since
     Size m_fittedSize;
 };

@@ -6,11 +6,14 @@
 
 #include <QKeyEvent>
 #include <QPainter>
+#include <QStyle>
+#include <algorithm>
 
 namespace txn::app {
 namespace {
 
-constexpr int kMargin = 48;
+constexpr int kMargin = 16;
+constexpr int kMostColumns = 3;
 constexpr int kColumnWidth = 440;
 constexpr int kKeysWidth = 176;
 constexpr int kGapWidth = 16;
@@ -54,26 +57,29 @@ KeyMapOverlay::KeyMapOverlay(const ActionRegistry& actions, QWidget& window) : Q
 void KeyMapOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(20, 20, 20, 225));
-    const int lineHeight = fontMetrics().height() + 8;
-    // As few columns as fit, all of about one length.
-    const int longest = std::max(1, (height() - 2 * kMargin) / lineHeight);
+    const auto placed = [this](QRect place) {
+        return QStyle::visualRect(layoutDirection(), rect(), place);
+    };
     const auto lines = static_cast<int>(m_lines.size());
-    const int columns = std::max((lines + longest - 1) / longest,
-                                 std::min(3, std::max(1, (width() - 32) / kColumnWidth)));
+    const int columns = std::clamp((width() - 2 * kMargin) / kColumnWidth, 1, kMostColumns);
     const int perColumn = (lines + columns - 1) / columns;
-    const int top = std::max(kMargin, (height() - perColumn * lineHeight) / 2);
-    const int left = std::max(16, (width() - columns * kColumnWidth) / 2);
+    const int lineHeight =
+        std::min(fontMetrics().height() + 8, std::max(1, (height() - 2 * kMargin) / perColumn));
+    const int top = (height() - perColumn * lineHeight) / 2;
+    const int left = std::max(kMargin, (width() - columns * kColumnWidth) / 2);
     for (int i = 0; i < m_lines.size(); ++i) {
         const int x = left + (i / perColumn) * kColumnWidth;
         const int y = top + (i % perColumn) * lineHeight;
         const QRect keys(x, y, kKeysWidth, lineHeight);
         painter.setPen(darkColors().accent);
-        painter.drawText(keys,
-                         Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(placed(keys),
+                         QStyle::visualAlignment(layoutDirection(), Qt::AlignRight) |
+                             Qt::AlignVCenter,
                          fontMetrics().elidedText(m_lines[i].keys, Qt::ElideRight, kKeysWidth));
         painter.setPen(darkColors().text);
-        painter.drawText(QRect(x + kKeysWidth + kGapWidth, y, kTextWidth, lineHeight),
-                         Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(placed(QRect(x + kKeysWidth + kGapWidth, y, kTextWidth, lineHeight)),
+                         QStyle::visualAlignment(layoutDirection(), Qt::AlignLeft) |
+                             Qt::AlignVCenter,
                          fontMetrics().elidedText(m_lines[i].text, Qt::ElideRight, kTextWidth));
     }
 }

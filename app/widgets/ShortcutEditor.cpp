@@ -3,6 +3,7 @@
 
 #include "app/widgets/ActionRegistry.h"
 #include "app/widgets/CommandPalette.h"
+#include "app/widgets/WhatsThis.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -32,11 +33,13 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& actions, QWidget* parent)
     search->setObjectName(QStringLiteral("shortcutSearch"));
     search->setPlaceholderText(tr("Search"));
     search->setAccessibleName(tr("Search commands"));
+    search->setToolTip(tr("Type a part of a command's name."));
     m_list->setObjectName(QStringLiteral("shortcutList"));
     m_list->setHeaderLabels({tr("Command"), tr("Keys")});
     m_list->setRootIsDecorated(false);
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_list->setAccessibleName(tr("Commands"));
+    m_list->setToolTip(tr("Choose a command to give it other keys."));
     m_keys->setObjectName(QStringLiteral("shortcutKeys"));
     m_keys->setAccessibleName(tr("Keys"));
     m_keys->setToolTip(tr("Press the keys that you want for the chosen command."));
@@ -45,10 +48,13 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& actions, QWidget* parent)
     m_note->setWordWrap(true);
     auto* none = new QPushButton(tr("No keys"));
     none->setObjectName(QStringLiteral("shortcutNone"));
+    none->setToolTip(tr("Takes the chosen command's keys away."));
     auto* reset = new QPushButton(tr("Reset all"));
     reset->setObjectName(QStringLiteral("shortcutReset"));
+    reset->setToolTip(tr("Back to the keys that the program came with."));
     auto* close = new QPushButton(tr("Close"));
     close->setDefault(true);
+    close->setToolTip(tr("Closes this window. Changes are kept already."));
     auto* row = new QHBoxLayout;
     row->addWidget(m_keys, 1);
     row->addWidget(none);
@@ -75,6 +81,7 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& actions, QWidget* parent)
     });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     fill({});
+    explainByToolTips(*this);
 }
 
 void ShortcutEditor::fill(const QString& search) {

@@ -19,7 +19,6 @@ constexpr double kFine = 0.1;
 constexpr double kKeyStep = 0.01;
 constexpr double kPageStep = 0.1;
 constexpr double kWheelStep = 0.02;
-constexpr qint64 kRunMs = 400;
 
 } // namespace
 
@@ -124,20 +123,14 @@ void SliderTrack::mouseDoubleClickEvent(QMouseEvent*) {
     m_slider.edit(m_slider.range().standard, Gesture::next());
 }
 
-Gesture SliderTrack::runGesture() {
-    if (!m_lastRun.isValid() || m_lastRun.elapsed() > kRunMs)
-        m_runGesture = Gesture::next();
-    m_lastRun.start();
-    return m_runGesture;
-}
-
 void SliderTrack::step(double shares) {
     const auto& range = m_slider.range();
     double value = valueOfShare(share(m_slider.value()) + shares);
-    // Whole numbers move by one at least.
-    if (range.decimals == 0 && std::lround(value) == std::lround(m_slider.value()))
-        value = m_slider.value() + (shares > 0.0 ? 1.0 : -1.0);
-    m_slider.edit(value, runGesture());
+    // By one step of what is shown at least.
+    const double smallest = std::pow(10.0, -range.decimals);
+    if (std::abs(value - m_slider.value()) < smallest)
+        value = m_slider.value() + (shares > 0.0 ? smallest : -smallest);
+    m_slider.edit(value, m_run.next());
 }
 
 void SliderTrack::wheelEvent(QWheelEvent* event) {
@@ -175,10 +168,10 @@ void SliderTrack::keyPressEvent(QKeyEvent* event) {
         step(-kPageStep);
         return;
     case Qt::Key_Home:
-        m_slider.edit(m_slider.range().low, runGesture());
+        m_slider.edit(m_slider.range().low, m_run.next());
         return;
     case Qt::Key_End:
-        m_slider.edit(m_slider.range().high, runGesture());
+        m_slider.edit(m_slider.range().high, m_run.next());
         return;
     default:
         QWidget::keyPressEvent(event);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/GestureRun.h"
 #include "app/widgets/ValueSlider.h"
-
-#include <QElapsedTimer>
 
 namespace txn::app {
 
@@ -34,16 +33,13 @@ class SliderTrack : public QWidget {
     double valueOfShare(double share) const;
     double snapped(double value) const;
     void step(double shares);
-    /// That of the run of wheel clicks or keys that goes on, or a new one.
-    Gesture runGesture();
 
     ValueSlider& m_slider;
     bool m_dragging = false;
     Gesture m_gesture;
     double m_dragShare = 0.0;
     double m_lastX = 0.0;
-    QElapsedTimer m_lastRun;
-    Gesture m_runGesture;
+    GestureRun m_run; ///< of keys or the wheel
 };
 
 } // namespace txn::app

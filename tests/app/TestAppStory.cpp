@@ -83,7 +83,7 @@ class TestAppStory : public QObject {
         studio->start({});
         // The first thing to see is a finished result.
         QVERIFY(studio.settle());
-        QCOMPARE(studio.project().source->sample, "rust");
+        QCOMPARE(studio.project().source->sample(), "rust");
         QVERIFY(studio.find<QLabel>("textonVerdict")->text().contains("close"));
         QVERIFY(!studio.window().isWindowModified());
 
@@ -92,7 +92,7 @@ class TestAppStory : public QObject {
         QVERIFY(!photo.isEmpty());
         drop(studio.window(), photo);
         QVERIFY(studio.settle());
-        QCOMPARE(studio.project().source->name, "beach.png");
+        QCOMPARE(studio.project().source->name(), "beach.png");
         QCOMPARE(studio->pipeline().exemplar()->exemplar.image.size(), (Size{320, 240}));
         QVERIFY(studio.window().windowTitle().startsWith("beach.png"));
 
@@ -266,7 +266,7 @@ class TestAppStory : public QObject {
         QVERIFY(studio.settle());
         // Everything is as it was; the picture itself came back from the file.
         Project reopened = studio.project();
-        QCOMPARE(reopened.source->hash, saved.source->hash);
+        QCOMPARE(reopened.source->hash(), saved.source->hash());
         reopened.source = saved.source;
         QVERIFY(reopened == saved);
         QCOMPARE(studio.settings().recentFiles().first(), file);

@@ -115,10 +115,10 @@ class TestDocument : public QObject {
     void threeHundredRandomChangesCanBeUndone() {
         ProjectDocument document;
         document.change("Start", [](Project& p) {
-            auto source = std::make_shared<Source>();
-            source->name = "stone.png";
-            source->loaded.image = Image({8, 8}, 3);
-            p.source = std::move(source);
+            LoadedImage loaded;
+            loaded.image = Image({8, 8}, 3);
+            p.source = std::make_shared<const Source>(Source::File{"stone.png", {}, {}, {}, {}},
+                                                      std::move(loaded));
         });
         std::mt19937 random(7);
         const auto pick = [&](int n) {

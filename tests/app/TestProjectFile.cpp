@@ -41,6 +41,7 @@ void roll(Project& p, ViewState& v, Dice& dice) {
     p.edit.periodic = dice.pick(0, 1) == 1;
     p.gaussian = {static_cast<GaussianMethod>(dice.pick(0, 1)),
                   Seed{static_cast<std::uint32_t>(dice.pick(0, 1 << 30)) * 3U}};
+    p.texton.shape = static_cast<TextonSettings::Shape>(dice.pick(0, 2));
     p.texton.support = {dice.pick(4, 200), dice.pick(4, 200)};
     p.texton.interpolationOrder = std::array{0, 1, 3, 5}[static_cast<std::size_t>(dice.pick(0, 3))];
     p.texton.iterations = dice.pick(1, 1000);
@@ -132,9 +133,9 @@ class TestProjectFile : public QObject {
             QVERIFY(sameSettings(opened->project, project));
             QVERIFY(opened->view == view);
             QVERIFY(opened->warnings.isEmpty());
-            QVERIFY(opened->project.source->loaded.image == (*source)->loaded.image);
-            QCOMPARE(opened->project.source->name, "stone.png");
-            QCOMPARE(opened->project.source->hash, (*source)->hash);
+            QVERIFY((*opened->project.source->picture())->image == (*(*source)->picture())->image);
+            QCOMPARE(opened->project.source->name(), "stone.png");
+            QCOMPARE(opened->project.source->hash(), (*source)->hash());
         }
     }
 
@@ -174,7 +175,7 @@ class TestProjectFile : public QObject {
         QVERIFY(bytes.size() < 4000);
         const auto opened = decodeProject(bytes, "/x.txnproj");
         TXN_OK(opened);
-        QVERIFY(opened->project.source->loaded.image == (*source)->loaded.image);
+        QVERIFY((*opened->project.source->picture())->image == (*(*source)->picture())->image);
     }
 
     void importedTextonsAreExact() {

@@ -102,11 +102,12 @@ const Edges& coreEdges() {
 const Edges& appEdges() {
     static const Edges edges{
         {"settings", {}},
-        {"document", {}},
+        {"memory", {}},
+        {"document", {"memory"}},
         {"display", {}},
         {"look", {"settings"}},
-        {"jobs", {"document", "display"}},
-        {"pipeline", {"document", "jobs", "look"}},
+        {"jobs", {"memory", "document", "display"}},
+        {"pipeline", {"memory", "document", "jobs", "look"}},
         {"export", {"document", "jobs"}},
         {"files", {"settings", "document", "display", "jobs", "look"}},
         {"widgets", {"settings", "document", "look"}},
