@@ -111,6 +111,7 @@ QDockWidget* MainWindow::addDock(const QString& id,
         auto* scroll = new QScrollArea;
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setFocusPolicy(Qt::NoFocus);
         scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         scroll->setMinimumWidth(content->minimumSizeHint().width() + 16);
         scroll->setWidget(content);

@@ -12,8 +12,9 @@
 
 namespace {
 
-constexpr const char* kHelp =
-    "Makes endless material from a photo. FILES may be photos, textons or a project.";
+struct Help {
+    Q_DECLARE_TR_FUNCTIONS(Help)
+};
 
 bool hasDisplay() {
 #if defined(Q_OS_LINUX)
@@ -28,6 +29,27 @@ void print(FILE* stream, const QString& text) {
     std::fputs(qPrintable(text + QLatin1Char('\n')), stream);
 }
 
+/// What may be asked for on the command line. Its texts are in the language of the moment.
+struct Options {
+    QCommandLineOption help{{QStringLiteral("h"), QStringLiteral("help")},
+                            Help::tr("Show this help.")};
+    QCommandLineOption version{{QStringLiteral("v"), QStringLiteral("version")},
+                               Help::tr("Show the version.")};
+    QCommandLineOption language{QStringLiteral("lang"),
+                                Help::tr("Language of the window, such as en or fr."),
+                                Help::tr("LANGUAGE")};
+    QCommandLineParser parser;
+
+    Options() {
+        parser.setApplicationDescription(Help::tr(
+            "Makes endless material from a photo. FILES may be photos, textons or a project."));
+        parser.addOptions({help, version, language});
+        parser.addPositionalArgument(QStringLiteral("FILES"),
+                                     Help::tr("What to open."),
+                                     QStringLiteral("[FILES...]"));
+    }
+};
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -37,32 +59,25 @@ int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
         arguments.append(QString::fromLocal8Bit(argv[i]));
 
-    // Help must not need a display.
-    QCommandLineParser parser;
-    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
-                                  QStringLiteral("Show this help."));
-    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
-                                     QStringLiteral("Show the version."));
-    const QCommandLineOption lang(QStringLiteral("lang"),
-                                  QStringLiteral("Language of the window, such as en or fr."),
-                                  QStringLiteral("LANGUAGE"));
-    parser.setApplicationDescription(QLatin1String(kHelp));
-    parser.addOptions({help, version, lang});
-    parser.addPositionalArgument(QStringLiteral("FILES"),
-                                 QStringLiteral("What to open."),
-                                 QStringLiteral("[FILES...]"));
-    if (!parser.parse(arguments)) {
-        print(stderr, QStringLiteral("texton-studio: %1").arg(parser.errorText()));
+    Options options;
+    if (!options.parser.parse(arguments)) {
+        print(stderr,
+              Help::tr("texton-studio: %1 See texton-studio --help.")
+                  .arg(options.parser.errorText()));
         return 2;
     }
-    if (parser.isSet(version)) {
+    const QString asked = options.parser.value(options.language);
+    if (options.parser.isSet(options.version)) {
         print(stdout,
               QStringLiteral("texton-studio %1").arg(QCoreApplication::applicationVersion()));
         return 0;
     }
-    if (parser.isSet(help)) {
-        const QCoreApplication names(argc, argv);
-        print(stdout, parser.helpText());
+    if (options.parser.isSet(options.help)) { // needs no display
+        QCoreApplication application(argc, argv);
+        txn::app::installTranslations(application, asked);
+        Options translated;
+        translated.parser.parse(arguments);
+        print(stdout, translated.parser.helpText());
         return 0;
     }
     if (!hasDisplay()) {
@@ -80,13 +95,13 @@ int main(int argc, char** argv) {
     QApplication::setApplicationDisplayName(QStringLiteral("Texton Studio"));
     QApplication::setDesktopFileName(QStringLiteral("texton-studio"));
     txn::app::Settings settings;
-    const QString language = parser.isSet(lang) ? parser.value(lang) : settings.language();
+    const QString language = asked.isEmpty() ? settings.language() : asked;
     txn::app::installLanguage(application, language);
     txn::app::applyTheme(application, settings.theme());
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/texton-studio.svg")));
 
     txn::app::Application studio(settings, txn::app::Application::standardRecoveryFolder());
     studio.window().show();
-    studio.start(parser.positionalArguments());
+    studio.start(options.parser.positionalArguments());
     return QApplication::exec();
 }

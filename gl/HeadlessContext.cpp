@@ -81,14 +81,20 @@ EGLContext openGl(EGLDisplay display) {
         if (!eglChooseConfig(display, kAny.data(), &config, 1, &count) || count == 0)
             return EGL_NO_CONTEXT;
     }
-    constexpr std::array<EGLint, 7> kCore{EGL_CONTEXT_MAJOR_VERSION,
+    // With notification a driver that was reset says so; without, isLost() never does.
+    constexpr std::array<EGLint, 9> kCore{EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                          EGL_LOSE_CONTEXT_ON_RESET,
+                                          EGL_CONTEXT_MAJOR_VERSION,
                                           3,
                                           EGL_CONTEXT_MINOR_VERSION,
                                           3,
                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                           EGL_NONE};
-    return eglCreateContext(display, config, EGL_NO_CONTEXT, kCore.data());
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, kCore.data());
+    return context != EGL_NO_CONTEXT
+               ? context
+               : eglCreateContext(display, config, EGL_NO_CONTEXT, kCore.data() + 2);
 }
 
 } // namespace
@@ -125,6 +131,11 @@ void HeadlessContext::makeCurrent() const {
 
 void HeadlessContext::finish() const {
     glFinish();
+}
+
+bool HeadlessContext::isLost() const {
+    const bool canTell = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness");
+    return canTell && glGetGraphicsResetStatus() != GL_NO_ERROR;
 }
 
 } // namespace txn

@@ -24,6 +24,9 @@ class HeadlessContext {
     void makeCurrent() const;
     /// Waits until everything asked for has been drawn, so that time can be taken.
     void finish() const;
+    /// Whether the driver was reset, where it can tell: nothing is drawn any more, and another
+    /// context has to be made. The context must be current.
+    bool isLost() const;
 
   private:
     struct Native;

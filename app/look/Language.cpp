@@ -16,19 +16,23 @@ const QString kPrefix = QStringLiteral("txn_");
 } // namespace
 
 void installLanguage(QApplication& application, const QString& language) {
+    installTranslations(application, language);
+    QApplication::setLayoutDirection(QLocale().textDirection());
+}
+
+void installTranslations(QCoreApplication& application, const QString& language) {
     const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
     QLocale::setDefault(locale);
-    QApplication::setLayoutDirection(locale.textDirection());
     // Qt's own texts, such as those of file dialogs, first: ours are asked before them.
     auto* standard = new QTranslator(&application);
     if (standard->load(locale,
                        QStringLiteral("qtbase"),
                        QStringLiteral("_"),
                        QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-        QApplication::installTranslator(standard);
+        QCoreApplication::installTranslator(standard);
     auto* own = new QTranslator(&application);
     if (own->load(locale, QStringLiteral("txn"), QStringLiteral("_"), kFolder))
-        QApplication::installTranslator(own);
+        QCoreApplication::installTranslator(own);
 }
 
 QString languageName(const QString& language) {

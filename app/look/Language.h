@@ -5,12 +5,16 @@
 #include <QStringList>
 
 class QApplication;
+class QCoreApplication;
 
 namespace txn::app {
 
 /// Texts, numbers and reading direction in the given language; empty: that of the system. Where
 /// there is no translation, English. Call before any window is made.
 void installLanguage(QApplication& application, const QString& language);
+
+/// The same without the reading direction, for programs without a window.
+void installTranslations(QCoreApplication& application, const QString& language);
 
 /// Its name in itself, such as "Deutsch" for "de".
 [[nodiscard]] QString languageName(const QString& language);

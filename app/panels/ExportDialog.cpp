@@ -178,6 +178,7 @@ QWidget* ExportDialog::buildNoisePage() {
     form->setContentsMargins(0, 0, 0, 0);
     m_sizes = new QComboBox;
     m_sizes->setObjectName(QStringLiteral("exportSizes"));
+    m_sizes->setAccessibleName(tr("Size"));
     m_sizes->setToolTip(tr("Common sizes; any other can be typed below."));
     for (const int side : kSizes)
         m_sizes->addItem(tr("%1 x %1").arg(side), side);
@@ -191,6 +192,8 @@ QWidget* ExportDialog::buildNoisePage() {
     });
     m_width = sizeField(QStringLiteral("exportWidth"), tr("Width"));
     m_height = sizeField(QStringLiteral("exportHeight"), tr("Height"));
+    for (QSpinBox* field : {m_width, m_height})
+        field->setToolTip(tr("Pixels of the picture. Large ones are written piece by piece."));
     m_tileable = new QCheckBox(tr("Tiles without a seam"));
     m_tileable->setObjectName(QStringLiteral("exportTileable"));
     m_tileable->setToolTip(
@@ -204,6 +207,7 @@ QWidget* ExportDialog::buildNoisePage() {
     }
     m_format = new QComboBox;
     m_format->setObjectName(QStringLiteral("exportFormat"));
+    m_format->setAccessibleName(tr("Format"));
     m_format->setToolTip(
         tr("EXR keeps values beyond black and white; PNG and TIFF with 8 or 16 bits clip them."));
     for (const Format& each : kFormats)
@@ -270,6 +274,7 @@ void ExportDialog::build() {
 
     m_name = new QLineEdit;
     m_name->setObjectName(QStringLiteral("exportName"));
+    m_name->setAccessibleName(tr("Name"));
     m_name->setToolTip(tr("Words in braces are filled in: {name} {support} {mni} {seed} {size}."));
     connect(m_name, &QLineEdit::textEdited, this, &ExportDialog::readPlan);
     m_folder = new QLineEdit;

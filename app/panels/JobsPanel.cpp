@@ -77,6 +77,7 @@ QTreeWidgetItem* JobsPanel::addRow() {
     auto* stop = new QToolButton;
     stop->setObjectName(QStringLiteral("jobStop"));
     stop->setIcon(themeIcon(QStringLiteral("close")));
+    stop->setIconSize({10, 10});
     stop->setAccessibleName(tr("Cancel"));
     stop->setToolTip(tr("Stops this work."));
     stop->setFocusPolicy(Qt::StrongFocus);

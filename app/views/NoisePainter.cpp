@@ -94,6 +94,12 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
     const auto start = Clock::now();
     auto image = m_context ? drawOnCard(request, size, scale, stop)
                            : drawOnProcessor(request, size, scale, stop);
+    if (m_context && m_context->isLost()) {
+        // The driver was reset: once more, in another context or on the processor.
+        loseContext();
+        image = m_context ? drawOnCard(request, size, scale, stop)
+                          : drawOnProcessor(request, size, scale, stop);
+    }
     if (!image)
         return image.error();
     if (!*image)

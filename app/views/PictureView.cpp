@@ -77,6 +77,9 @@ PictureView::PictureView(ProjectDocument& document,
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setWhatsThis(
+        tr("A picture. The wheel zooms where the mouse is, the middle button or Space moves "
+           "it, F shows it whole. Hold ` to see the exemplar instead."));
     connectTitle();
     connect(m_feed, &NoiseFeed::frameReady, this, [this] {
         update();

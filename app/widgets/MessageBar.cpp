@@ -5,7 +5,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QToolButton>
 
 namespace txn::app {
@@ -41,14 +40,12 @@ QColor edgeColor(MessageBar::Kind kind) {
 
 } // namespace
 
-MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_icon(new QLabel), m_text(new QLabel), m_button(new QPushButton) {
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_icon(new QLabel), m_text(new QLabel) {
     setObjectName(QStringLiteral("messageBar"));
     m_text->setObjectName(QStringLiteral("messageText"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_button->setObjectName(QStringLiteral("messageButton"));
     auto* close = new QToolButton;
     close->setObjectName(QStringLiteral("messageClose"));
     close->setIcon(themeIcon(QStringLiteral("close")));
@@ -59,32 +56,17 @@ MessageBar::MessageBar(QWidget* parent)
     row->setSpacing(8);
     row->addWidget(m_icon);
     row->addWidget(m_text, 1);
-    row->addWidget(m_button);
     row->addWidget(close);
     m_expiry.setSingleShot(true);
     m_expiry.setInterval(kNoteMs);
     connect(&m_expiry, &QTimer::timeout, this, &MessageBar::dismiss);
     connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
-    connect(m_button, &QPushButton::clicked, this, [this] {
-        if (m_action)
-            m_action();
-    });
     hide();
 }
 
 void MessageBar::show(Kind kind, const QString& text) {
-    show(kind, text, {}, {});
-}
-
-void MessageBar::show(Kind kind,
-                      const QString& text,
-                      const QString& button,
-                      std::function<void()> action) {
     m_icon->setPixmap(themeIcon(iconName(kind)).pixmap(kIconPx, kIconPx));
     m_text->setText(text);
-    m_button->setText(button);
-    m_button->setVisible(!button.isEmpty());
-    m_action = std::move(action);
     setStyleSheet(QStringLiteral("#messageBar { background: %1; border-left: 4px solid %2; }")
                       .arg(themeColors().panel.name(), edgeColor(kind).name()));
     setAccessibleName(text);

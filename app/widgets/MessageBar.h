@@ -3,10 +3,8 @@
 
 #include <QFrame>
 #include <QTimer>
-#include <functional>
 
 class QLabel;
-class QPushButton;
 
 namespace txn::app {
 
@@ -20,16 +18,12 @@ class MessageBar : public QFrame {
     explicit MessageBar(QWidget* parent = nullptr);
 
     void show(Kind kind, const QString& text);
-    /// With a button, such as "Open folder".
-    void show(Kind kind, const QString& text, const QString& button, std::function<void()> action);
     void dismiss();
     QString text() const;
 
   private:
     QLabel* m_icon;
     QLabel* m_text;
-    QPushButton* m_button;
-    std::function<void()> m_action;
     QTimer m_expiry;
 };
 

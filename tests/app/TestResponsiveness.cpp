@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/widgets/SliderTrack.h"
+#include "app/widgets/ValueSlider.h"
+#include "core/image/ImageIo.h"
+#include "core/samples/Samples.h"
+#include "tests/app/Studio.h"
+
+#include <QAbstractButton>
+#include <QThread>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <ctime>
+
+using namespace txn;
+using namespace txn::app;
+using namespace txn::test;
+
+namespace {
+
+constexpr int kSide = 4096;
+constexpr double kOftenMs = 50.0;
+constexpr double kAtMostMs = 150.0;
+
+/// For how long the interface is dragged about, in seconds.
+int seconds() {
+    const int asked = qEnvironmentVariableIntValue("TXN_DRAG_SECONDS");
+    return asked > 0 ? asked : 60;
+}
+
+/// How long the interface thread stands still: a timer that ought to fire every few milliseconds
+/// notes by how much it is late. Time for which the system gave the thread no core counts, too.
+class Watchdog : public QObject {
+  public:
+    Watchdog() {
+        m_clock.start();
+        m_timer.setTimerType(Qt::PreciseTimer);
+        m_timer.setInterval(kEveryMs);
+        connect(&m_timer, &QTimer::timeout, this, [this] {
+            m_stalls.push_back(
+                std::max(0.0, static_cast<double>(m_clock.nsecsElapsed()) / 1e6 - kEveryMs));
+            m_clock.start();
+        });
+        m_timer.start();
+    }
+    double longest() const { return *std::max_element(m_stalls.begin(), m_stalls.end()); }
+    double percentile(double share) {
+        std::sort(m_stalls.begin(), m_stalls.end());
+        return m_stalls[static_cast<std::size_t>(share * static_cast<double>(m_stalls.size() - 1))];
+    }
+    std::size_t count() const { return m_stalls.size(); }
+
+  private:
+    static constexpr int kEveryMs = 4;
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    std::vector<double> m_stalls;
+};
+
+void moveTo(QWidget* widget, QPointF place) {
+    QMouseEvent move(QEvent::MouseMove,
+                     place,
+                     widget->mapToGlobal(place),
+                     Qt::NoButton,
+                     Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(widget, &move);
+}
+
+} // namespace
+
+/// With a large photo the interface never waits for the work.
+class TestResponsiveness : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QString m_photo = m_folder.filePath("large.png");
+
+  private slots:
+    void initTestCase() {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("sanitizers make everything slow");
+#endif
+        const auto image = makeSample("rust", {kSide, kSide}, Seed{3});
+        QVERIFY(image && saveImage(*image, m_photo.toStdString(), {}));
+    }
+
+    void draggingEverySliderNeverStalls() {
+        Studio studio;
+        studio.window().files().open(m_photo);
+        QVERIFY(waitFor([&] { return studio->pipeline().exemplar() != nullptr; }));
+        QVERIFY(studio.settle());
+        studio.document().change("All", [](Project& p) { // for every slider to be there
+            p.edit.flattenRadiusPx = 80.0;
+            p.texton.shape = TextonSettings::Shape::Rectangle;
+        });
+        QVERIFY(studio.settle());
+
+        QList<SliderTrack*> tracks;
+        for (SliderTrack* track : studio.window().findChildren<SliderTrack*>()) {
+            if (track->isVisible() && track->isEnabled())
+                tracks.append(track);
+        }
+        QVERIFY(tracks.size() >= 10);
+        int running = 0;
+        Watchdog watchdog;
+        QElapsedTimer clock;
+        clock.start();
+        const qint64 each = seconds() * 1000LL / tracks.size();
+        for (qsizetype i = 0; i < tracks.size(); ++i) {
+            SliderTrack* track = tracks[i];
+            const double middle = track->height() / 2.0;
+            QTest::mousePress(track, Qt::LeftButton, Qt::NoModifier, track->rect().center());
+            while (clock.elapsed() < (i + 1) * each) {
+                const double phase = static_cast<double>(clock.elapsed()) / 700.0;
+                moveTo(track, {track->width() * (0.5 + 0.5 * std::sin(phase)), middle});
+                QTest::qWait(8);
+                running = std::max(running, studio->runner().activeThreads());
+            }
+            QTest::mouseRelease(track, Qt::LeftButton);
+        }
+        const double often = watchdog.percentile(0.99);
+        const double longest = watchdog.longest();
+        qInfo("%d s, %lld sliders: stalls of %.1f ms at the 99th percentile, %.1f ms at most (%zu)",
+              seconds(),
+              static_cast<long long>(tracks.size()),
+              often,
+              longest,
+              watchdog.count());
+        QVERIFY(running <= kJobKinds); // one of each kind at a time
+        // The last value of every slider has won.
+        QVERIFY(waitFor([&] { return studio.isSettled(); }, 120000));
+        const auto texton = studio->pipeline().texton();
+        QCOMPARE(texton->texton.support.size(),
+                 textonParams(studio.project().texton).support.size());
+        QCOMPARE(texton->iterations, studio.project().texton.iterations);
+        QVERIFY2(often <= kOftenMs, QByteArray::number(often));
+        QVERIFY2(longest <= kAtMostMs, QByteArray::number(longest));
+    }
+
+    void cancelIsAtOnce() {
+        Studio studio;
+        studio.window().files().open(m_photo);
+        QVERIFY(studio.settle());
+        const auto before = studio->pipeline().texton();
+        QVERIFY(before != nullptr);
+        double slowest = 0.0;
+        for (int round = 0; round < 5; ++round) {
+            studio.document().change("Iterations", [round](Project& p) {
+                p.texton.iterations = 20000 + round;
+                p.texton.support = {128, 128};
+            });
+            QVERIFY(waitFor([&] { return studio->pipeline().isComputingTexton(); }));
+            QTest::qWait(150 + 70 * round);
+            QElapsedTimer clock;
+            clock.start();
+            studio.find<QAbstractButton>("textonCancel")->click();
+            QCOMPARE(studio->pipeline().texton(), before); // nothing of the job is shown any more
+            QVERIFY(clock.elapsed() <= 100);
+            QVERIFY(waitFor([&] { return studio->runner().activeThreads() == 0; }, 5000));
+            slowest = std::max(slowest, static_cast<double>(clock.elapsed()));
+            QTest::qWait(20);
+            QCOMPARE(studio->pipeline().texton(), before);
+        }
+        qInfo("threads are free %.0f ms after Cancel, at most", slowest);
+        QVERIFY(slowest <= 1000.0);
+    }
+
+    void theFirstResultComesWithinTwoSeconds() {
+        QElapsedTimer clock;
+        clock.start();
+        Studio studio;
+        studio->start({});
+        QVERIFY(waitFor([&] {
+            return studio->pipeline().texton() && studio->pipeline().texton()->finished &&
+                   !studio.window().views().views()[3]->noiseFrame().image.isNull();
+        }));
+        qInfo("first texton and noise after %lld ms", static_cast<long long>(clock.elapsed()));
+        QVERIFY(clock.elapsed() <= 2000);
+    }
+};
+
+QTEST_MAIN(TestResponsiveness)
+#include "TestResponsiveness.moc"
