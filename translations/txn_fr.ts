@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR">
 <context>
+    <name>Help</name>
+    <message>
+        <source>Show this help.</source>
+        <translation>Afficher cette aide.</translation>
+    </message>
+    <message>
+        <source>Show the version.</source>
+        <translation>Afficher la version.</translation>
+    </message>
+    <message>
+        <source>Language of the window, such as en or fr.</source>
+        <translation>Langue de la fenêtre, par exemple en ou fr.</translation>
+    </message>
+    <message>
+        <source>LANGUAGE</source>
+        <translation>LANGUE</translation>
+    </message>
+    <message>
+        <source>Makes endless material from a photo. FILES may be photos, textons or a project.</source>
+        <translation>Fait d&apos;une photo une matière sans fin. FILES&#xa0;: des photos, des textons ou un projet.</translation>
+    </message>
+    <message>
+        <source>What to open.</source>
+        <translation>Ce qu&apos;il faut ouvrir.</translation>
+    </message>
+    <message>
+        <source>texton-studio: %1 See texton-studio --help.</source>
+        <translation>texton-studio&#xa0;: %1 Voir texton-studio --help.</translation>
+    </message>
+</context>
+<context>
     <name>Warnings</name>
     <message>
         <source>%1 has changed since the project was saved.</source>
@@ -56,6 +87,10 @@
     <message>
         <source>Keeping a copy</source>
         <translation>Copie de secours</translation>
+    </message>
+    <message>
+        <source>No copy of your work can be kept (%1). Please save it.</source>
+        <translation>Impossible de garder une copie du travail (%1). Veuillez l&apos;enregistrer.</translation>
     </message>
 </context>
 <context>
@@ -473,10 +508,6 @@
         <translation>Ouvrir le dossier</translation>
     </message>
     <message>
-        <source>Cancelled. Nothing was written.</source>
-        <translation>Annulé. Rien n&apos;a été écrit.</translation>
-    </message>
-    <message>
         <source>material</source>
         <translation>texture</translation>
     </message>
@@ -506,10 +537,6 @@
     <message>
         <source>None</source>
         <translation>Aucun</translation>
-    </message>
-    <message>
-        <source>Delete all presets</source>
-        <translation>Supprimer tous les préréglages</translation>
     </message>
     <message>
         <source>Save as preset</source>
@@ -556,6 +583,58 @@
     <message>
         <source>%1 % of the values were clipped; EXR keeps them.</source>
         <translation>%1&#xa0;% des valeurs ont été écrêtées&#xa0;; EXR les garde.</translation>
+    </message>
+    <message>
+        <source>Pixels of the picture. Large ones are written piece by piece.</source>
+        <translation>Pixels de l&apos;image. Les grandes images sont écrites morceau par morceau.</translation>
+    </message>
+    <message>
+        <source>What to write.</source>
+        <translation>Ce qui sera écrit.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Forgets the chosen preset.</source>
+        <translation>Oublie le préréglage choisi.</translation>
+    </message>
+    <message>
+        <source>Remembers these choices under a name.</source>
+        <translation>Retient ces choix sous un nom.</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Shows where the files are.</source>
+        <translation>Montre où sont les fichiers.</translation>
+    </message>
+    <message>
+        <source>Writes the files that are listed.</source>
+        <translation>Écrit les fichiers de la liste.</translation>
+    </message>
+    <message>
+        <source>Stops the work, or else closes this window.</source>
+        <translation>Arrête le travail en cours, sinon ferme cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>Delete the preset?</source>
+        <translation>Supprimer le préréglage&#xa0;?</translation>
+    </message>
+    <message>
+        <source>The preset %1 will be gone.</source>
+        <translation>Le préréglage %1 sera perdu.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
     </message>
 </context>
 <context>
@@ -616,6 +695,10 @@
         <source>Saving keeps the photo, all settings and the view in one project file.</source>
         <translation>Un seul fichier de projet garde la photo, tous les réglages et la vue.</translation>
     </message>
+    <message>
+        <source>Still saving. Please try again in a moment.</source>
+        <translation>Enregistrement en cours. Veuillez réessayer dans un instant.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>
@@ -655,6 +738,10 @@
         <source>Channel %1</source>
         <translation>Canal %1</translation>
     </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramme</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::JobRunner</name>
@@ -692,6 +779,14 @@
     <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stops this work.</source>
+        <translation>Arrête ce travail.</translation>
     </message>
 </context>
 <context>
@@ -1303,10 +1398,6 @@
         <translation>La langue changera au prochain démarrage de Texton Studio.</translation>
     </message>
     <message>
-        <source>There is no noise to save yet. Open a photo first.</source>
-        <translation>Pas encore de bruit à enregistrer. Ouvrir d&apos;abord une photo.</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Enregistrer l&apos;image</translation>
     </message>
@@ -1317,10 +1408,6 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 a été enregistré</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written; please choose another folder.</source>
-        <translation>%1 ne peut pas être écrit&#xa0;; choisir un autre dossier.</translation>
     </message>
     <message>
         <source>&amp;Photo inside the project</source>
@@ -1349,6 +1436,46 @@
     <message>
         <source>The language of the window, from the next start on.</source>
         <translation>La langue de la fenêtre, dès le prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved work</source>
+        <translation>Recherche de travail non enregistré</translation>
+    </message>
+    <message>
+        <source>Place and values of the pixel under the mouse.</source>
+        <translation>Position et valeurs du pixel sous la souris.</translation>
+    </message>
+    <message>
+        <source>Screen pixels for each pixel of the photo.</source>
+        <translation>Pixels d&apos;écran pour chaque pixel de la photo.</translation>
+    </message>
+    <message>
+        <source>How far the texton is from the photo; see the Texton panel.</source>
+        <translation>Écart entre le texton et la photo&#xa0;; voir le panneau Texton.</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Agrandir</translation>
+    </message>
+    <message>
+        <source>Larger, at the mouse.</source>
+        <translation>Plus grand, à l&apos;endroit de la souris.</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>&amp;Réduire</translation>
+    </message>
+    <message>
+        <source>Smaller, at the mouse.</source>
+        <translation>Plus petit, à l&apos;endroit de la souris.</translation>
+    </message>
+    <message>
+        <source>There is no finished noise to save yet. Please wait a moment, or open a photo.</source>
+        <translation>Pas encore de bruit terminé à enregistrer. Veuillez attendre un instant, ou ouvrir une photo.</translation>
+    </message>
+    <message>
+        <source>Saving the picture</source>
+        <translation>Enregistrement de l&apos;image</translation>
     </message>
 </context>
 <context>
@@ -1575,6 +1702,10 @@
         <source>%1 x %2 px</source>
         <translation>%1&#xa0;×&#xa0;%2&#xa0;px</translation>
     </message>
+    <message>
+        <source>A picture. The wheel zooms where the mouse is, the middle button or Space moves it, F shows it whole. Hold ` to see the exemplar instead.</source>
+        <translation>Une image. La molette agrandit à l&apos;endroit de la souris, le bouton du milieu ou Espace la déplace, F la montre entière. Tenir ` pour voir l&apos;exemplaire à la place.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::Pipeline</name>
@@ -1639,6 +1770,18 @@
     <message>
         <source>Keeps the copies and asks again next time.</source>
         <translation>Garde les copies et redemande la prochaine fois.</translation>
+    </message>
+    <message>
+        <source>The newest is at the top.</source>
+        <translation>Le plus récent est en haut.</translation>
+    </message>
+    <message>
+        <source>Opens this work again. Save it then; the original file is untouched.</source>
+        <translation>Rouvre ce travail. L&apos;enregistrer ensuite&#xa0;; le fichier d&apos;origine reste intact.</translation>
+    </message>
+    <message>
+        <source>Gives this work up for good.</source>
+        <translation>Abandonne ce travail pour de bon.</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +1848,26 @@
     <message>
         <source>These keys were those of &quot;%1&quot;, which has none now.</source>
         <translation>Ces touches étaient celles de «&#xa0;%1&#xa0;», qui n&apos;en a plus.</translation>
+    </message>
+    <message>
+        <source>Type a part of a command&apos;s name.</source>
+        <translation>Taper une partie du nom d&apos;une commande.</translation>
+    </message>
+    <message>
+        <source>Choose a command to give it other keys.</source>
+        <translation>Choisir une commande pour lui donner d&apos;autres touches.</translation>
+    </message>
+    <message>
+        <source>Takes the chosen command&apos;s keys away.</source>
+        <translation>Retire les touches de la commande choisie.</translation>
+    </message>
+    <message>
+        <source>Back to the keys that the program came with.</source>
+        <translation>Retour aux touches d&apos;origine.</translation>
+    </message>
+    <message>
+        <source>Closes this window. Changes are kept already.</source>
+        <translation>Ferme cette fenêtre. Les changements sont déjà retenus.</translation>
     </message>
 </context>
 <context>
@@ -1920,7 +2083,7 @@
     </message>
     <message>
         <source>Relative model error %1 after %2 iterations</source>
-        <translation>Erreur du modèle : %1 (%2 itérations)</translation>
+        <translation>Erreur du modèle&#xa0;: %1 (%2&#xa0;itérations)</translation>
     </message>
     <message>
         <source>Computing</source>

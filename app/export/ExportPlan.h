@@ -50,4 +50,33 @@ struct ExportSnapshot {
 /// Every file that the export will write, sidecars included, in the plan's folder.
 [[nodiscard]] QStringList exportFiles(const ExportPlan& plan, const ExportSnapshot& snapshot);
 
+/// A kind of picture file that noise can be written as.
+struct ExportFormat {
+    const char* name; ///< to be translated in the context of ExportDialog
+    ImageFormat format;
+    SampleFormat depth;
+};
+inline constexpr std::array kExportFormats{
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "PNG, 8 bit"),
+                 ImageFormat::Png,
+                 SampleFormat::UInt8},
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "PNG, 16 bit"),
+                 ImageFormat::Png,
+                 SampleFormat::UInt16},
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "EXR, 16 bit float"),
+                 ImageFormat::OpenExr,
+                 SampleFormat::Half},
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "EXR, 32 bit float"),
+                 ImageFormat::OpenExr,
+                 SampleFormat::Float},
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "TIFF, 8 bit"),
+                 ImageFormat::Tiff,
+                 SampleFormat::UInt8},
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "TIFF, 16 bit"),
+                 ImageFormat::Tiff,
+                 SampleFormat::UInt16},
+    ExportFormat{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "TIFF, 32 bit float"),
+                 ImageFormat::Tiff,
+                 SampleFormat::Float}};
+
 } // namespace txn::app

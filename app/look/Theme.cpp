@@ -152,6 +152,14 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
     application.setStyleSheet(styleSheet(colors));
 }
 
+void paintFocusFrame(QPainter& painter, const QRect& rect) {
+    const QColor& color = themeColors().accent;
+    painter.fillRect(rect.left(), rect.top(), rect.width(), 1, color);
+    painter.fillRect(rect.left(), rect.bottom(), rect.width(), 1, color);
+    painter.fillRect(rect.left(), rect.top(), 1, rect.height(), color);
+    painter.fillRect(rect.right(), rect.top(), 1, rect.height(), color);
+}
+
 QIcon themeIcon(const QString& name) {
     return QIcon(new MonochromeIcon(QStringLiteral(":/icons/") + name + QStringLiteral(".svg")));
 }

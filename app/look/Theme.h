@@ -7,6 +7,8 @@
 #include <QIcon>
 
 class QApplication;
+class QPainter;
+class QRect;
 
 namespace txn::app {
 
@@ -25,5 +27,8 @@ void applyTheme(QApplication& application, ThemeChoice choice);
 
 /// Of resources/icons, such as "open": monochrome, in the colour of the text, crisp at any scale.
 [[nodiscard]] QIcon themeIcon(const QString& name);
+
+/// The line around what has the focus and paints itself: one pixel inside rect, whole at any scale.
+void paintFocusFrame(QPainter& painter, const QRect& rect);
 
 } // namespace txn::app

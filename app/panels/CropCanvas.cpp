@@ -132,11 +132,8 @@ void CropCanvas::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(Qt::white, 1.5));
         painter.drawLine(origin + m_from * scale(), origin + m_to * scale());
     }
-    if (hasFocus()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(themeColors().accent);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    if (hasFocus())
+        paintFocusFrame(painter, rect());
 }
 
 void CropCanvas::mousePressEvent(QMouseEvent* event) {

@@ -302,7 +302,9 @@ void ExemplarPanel::showSettings() {
     m_reset->setEnabled(open && edit != ExemplarEdit{});
     m_canvas->setCrop(edit.crop);
     m_angle->setValue(edit.straightenDegrees);
-    m_space->setCurrent(edit.linear ? 1 : 0);
+    const bool linearFile = open && project.source->facts().transfer == Transfer::Linear;
+    m_space->setCurrent(edit.linear || linearFile ? 1 : 0);
+    m_space->setEnabled(open && !linearFile); // such a file has no other values
     m_even->setChecked(edit.flattenRadiusPx.has_value());
     m_radius->setEnabled(open && edit.flattenRadiusPx.has_value());
     m_radius->setVisible(edit.flattenRadiusPx.has_value());

@@ -15,8 +15,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QInputDialog>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -37,77 +35,7 @@ namespace {
 constexpr std::array kSizes{512, 1024, 2048, 4096, 8192, 16384};
 constexpr int kFarthestOrigin = 40'000'000;
 constexpr int kPollMs = 100;
-const QString kPresets = QStringLiteral("export-presets");
 const QString kFolder = QStringLiteral("export");
-
-struct Format {
-    const char* name;
-    ImageFormat format;
-    SampleFormat depth;
-};
-constexpr std::array kFormats{
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "PNG, 8 bit"),
-           ImageFormat::Png,
-           SampleFormat::UInt8},
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "PNG, 16 bit"),
-           ImageFormat::Png,
-           SampleFormat::UInt16},
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "EXR, 16 bit float"),
-           ImageFormat::OpenExr,
-           SampleFormat::Half},
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "EXR, 32 bit float"),
-           ImageFormat::OpenExr,
-           SampleFormat::Float},
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "TIFF, 8 bit"),
-           ImageFormat::Tiff,
-           SampleFormat::UInt8},
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "TIFF, 16 bit"),
-           ImageFormat::Tiff,
-           SampleFormat::UInt16},
-    Format{QT_TRANSLATE_NOOP("txn::app::ExportDialog", "TIFF, 32 bit float"),
-           ImageFormat::Tiff,
-           SampleFormat::Float}};
-
-/// A plan without its folder, which is remembered apart.
-QJsonObject toJson(const ExportPlan& plan) {
-    return {{QStringLiteral("kind"), static_cast<int>(plan.kind)},
-            {QStringLiteral("name"), plan.nameTemplate},
-            {QStringLiteral("exr"), plan.textonExr},
-            {QStringLiteral("png"), plan.textonPng},
-            {QStringLiteral("texton"), plan.textonFile},
-            {QStringLiteral("width"), plan.size.width},
-            {QStringLiteral("height"), plan.size.height},
-            {QStringLiteral("tile"), plan.tileable},
-            {QStringLiteral("format"), static_cast<int>(plan.format)},
-            {QStringLiteral("depth"), static_cast<int>(plan.depth)}};
-}
-
-ExportPlan fromJson(const QJsonObject& json, const QString& folder) {
-    ExportPlan plan;
-    plan.folder = folder;
-    plan.kind = static_cast<ExportKind>(std::clamp(json.value(QLatin1String("kind")).toInt(),
-                                                   0,
-                                                   static_cast<int>(ExportKind::Engine)));
-    plan.nameTemplate = json.value(QLatin1String("name")).toString();
-    plan.textonExr = json.value(QLatin1String("exr")).toBool(true);
-    plan.textonPng = json.value(QLatin1String("png")).toBool();
-    plan.textonFile = json.value(QLatin1String("texton")).toBool();
-    const auto side = [&](const char* key, int standard) {
-        return std::clamp(json.value(QLatin1String(key)).toInt(standard),
-                          1,
-                          ExportPlan::kMaxSidePx);
-    };
-    plan.size = {side("width", plan.size.width), side("height", plan.size.height)};
-    plan.tileable = json.value(QLatin1String("tile")).toBool(true);
-    for (const Format& each : kFormats) {
-        if (static_cast<int>(each.format) == json.value(QLatin1String("format")).toInt() &&
-            static_cast<int>(each.depth) == json.value(QLatin1String("depth")).toInt()) {
-            plan.format = each.format;
-            plan.depth = each.depth;
-        }
-    }
-    return plan;
-}
 
 } // namespace
 
@@ -117,7 +45,7 @@ ExportDialog::ExportDialog(ProjectDocument& document,
                            Settings& settings,
                            QWidget* parent)
     : QDialog(parent), m_document(document), m_pipeline(pipeline), m_runner(runner),
-      m_settings(settings) {
+      m_settings(settings), m_presets(settings) {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
     m_plan.folder = m_settings.folder(kFolder);
@@ -126,7 +54,7 @@ ExportDialog::ExportDialog(ProjectDocument& document,
     if (m_plan.folder.isEmpty())
         m_plan.folder = QDir::homePath();
     build();
-    loadPresets();
+    loadPresets({});
     showPlan();
     m_poll.setInterval(kPollMs);
     connect(&m_poll, &QTimer::timeout, this, &ExportDialog::showProgress);
@@ -210,7 +138,7 @@ QWidget* ExportDialog::buildNoisePage() {
     m_format->setAccessibleName(tr("Format"));
     m_format->setToolTip(
         tr("EXR keeps values beyond black and white; PNG and TIFF with 8 or 16 bits clip them."));
-    for (const Format& each : kFormats)
+    for (const ExportFormat& each : kExportFormats)
         m_format->addItem(tr(each.name));
     connect(m_format, &QComboBox::activated, this, &ExportDialog::readPlan);
     form->addRow(tr("Size"), m_sizes);
@@ -254,13 +182,13 @@ void ExportDialog::build() {
         showPlan();
     });
 
-    m_presets = new QComboBox;
-    m_presets->setObjectName(QStringLiteral("exportPresets"));
-    m_presets->setAccessibleName(tr("Preset"));
-    m_presets->setToolTip(tr("Choices that you saved under a name."));
+    m_presetChoice = new QComboBox;
+    m_presetChoice->setObjectName(QStringLiteral("exportPresets"));
+    m_presetChoice->setAccessibleName(tr("Preset"));
+    m_presetChoice->setToolTip(tr("Choices that you saved under a name."));
     auto* save = new QPushButton(tr("Save as preset..."));
     save->setObjectName(QStringLiteral("exportSavePreset"));
-    connect(m_presets, &QComboBox::activated, this, &ExportDialog::choosePreset);
+    connect(m_presetChoice, &QComboBox::activated, this, &ExportDialog::choosePreset);
     connect(save, &QPushButton::clicked, this, &ExportDialog::savePreset);
     m_deletePreset = new QPushButton(tr("Delete"));
     m_deletePreset->setObjectName(QStringLiteral("exportDeletePreset"));
@@ -268,7 +196,7 @@ void ExportDialog::build() {
     save->setToolTip(tr("Remembers these choices under a name."));
     connect(m_deletePreset, &QPushButton::clicked, this, &ExportDialog::deletePreset);
     auto* presets = new QHBoxLayout;
-    presets->addWidget(m_presets, 1);
+    presets->addWidget(m_presetChoice, 1);
     presets->addWidget(save);
     presets->addWidget(m_deletePreset);
 
@@ -306,6 +234,10 @@ void ExportDialog::build() {
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(4);
+    m_progress->setAccessibleName(tr("Progress"));
+    QSizePolicy kept = m_progress->sizePolicy(); // nothing jumps when the work begins
+    kept.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(kept);
     m_result = new QLabel;
     m_result->setObjectName(QStringLiteral("exportResult"));
     m_result->setWordWrap(true);
@@ -370,8 +302,8 @@ void ExportDialog::showPlan() {
     m_originY->setValue(static_cast<int>(m_plan.originY));
     for (QSpinBox* field : {m_originX, m_originY})
         field->setEnabled(!m_plan.tileable);
-    for (std::size_t i = 0; i < kFormats.size(); ++i) {
-        if (kFormats[i].format == m_plan.format && kFormats[i].depth == m_plan.depth)
+    for (std::size_t i = 0; i < kExportFormats.size(); ++i) {
+        if (kExportFormats[i].format == m_plan.format && kExportFormats[i].depth == m_plan.depth)
             m_format->setCurrentIndex(static_cast<int>(i));
     }
     if (m_name->text() != m_plan.nameTemplate)
@@ -394,8 +326,8 @@ void ExportDialog::readPlan() {
     m_plan.originX = m_originX->value();
     m_plan.originY = m_originY->value();
     const auto format = static_cast<std::size_t>(std::max(0, m_format->currentIndex()));
-    m_plan.format = kFormats[format].format;
-    m_plan.depth = kFormats[format].depth;
+    m_plan.format = kExportFormats[format].format;
+    m_plan.depth = kExportFormats[format].depth;
     m_plan.nameTemplate = m_name->text();
     m_plan.folder = m_folder->text();
     showPlan();
@@ -449,6 +381,7 @@ void ExportDialog::showFiles() {
 
 void ExportDialog::showProgress() {
     const auto info = m_runner.info(JobKind::Export);
+    m_progress->setVisible(info.has_value());
     m_progress->setValue(info ? static_cast<int>(info->progress * 1000.0) : 0);
     m_cancel->setText(info ? tr("Cancel") : tr("Close"));
     if (info && !m_poll.isActive())
@@ -461,12 +394,12 @@ void ExportDialog::showProgress() {
     m_export->setEnabled(!info && isReady());
 }
 
-void ExportDialog::loadPresets() {
-    m_presets->clear();
-    m_presets->addItem(tr("None"));
-    const QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
-    m_presets->addItems(all.keys());
-    m_deletePreset->setEnabled(false);
+void ExportDialog::loadPresets(const QString& current) {
+    m_presetChoice->clear();
+    m_presetChoice->addItem(tr("None"));
+    m_presetChoice->addItems(m_presets.names());
+    m_presetChoice->setCurrentIndex(std::max(0, m_presetChoice->findText(current)));
+    m_deletePreset->setEnabled(m_presetChoice->currentIndex() > 0);
 }
 
 void ExportDialog::savePreset() {
@@ -475,21 +408,18 @@ void ExportDialog::savePreset() {
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setWindowTitle(tr("Save as preset"));
     question->setLabelText(tr("Name of the preset"));
-    connect(question, &QInputDialog::textValueSelected, this, [this](const QString& name) {
-        if (name.trimmed().isEmpty())
+    connect(question, &QInputDialog::textValueSelected, this, [this](const QString& text) {
+        const QString name = text.trimmed();
+        if (name.isEmpty())
             return;
-        QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
-        all.insert(name.trimmed(), toJson(m_plan));
-        m_settings.setJson(kPresets, QJsonDocument(all).toJson(QJsonDocument::Compact));
-        loadPresets();
-        m_presets->setCurrentText(name.trimmed());
-        m_deletePreset->setEnabled(true);
+        m_presets.save(name, m_plan);
+        loadPresets(name);
     });
     question->open();
 }
 
 void ExportDialog::deletePreset() {
-    const QString name = m_presets->currentText();
+    const QString name = m_presetChoice->currentText();
     auto* question = new QMessageBox(QMessageBox::Question,
                                      tr("Delete the preset?"),
                                      tr("The preset %1 will be gone.").arg(name),
@@ -501,22 +431,20 @@ void ExportDialog::deletePreset() {
     connect(question, &QMessageBox::finished, this, [this, question, name](int) {
         if (question->buttonRole(question->clickedButton()) != QMessageBox::AcceptRole)
             return;
-        QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
-        all.remove(name);
-        m_settings.setJson(kPresets, QJsonDocument(all).toJson(QJsonDocument::Compact));
-        loadPresets();
+        m_presets.remove(name);
+        loadPresets({});
     });
     question->open();
 }
 
 void ExportDialog::choosePreset(int index) {
-    const QJsonObject all = QJsonDocument::fromJson(m_settings.json(kPresets)).object();
     m_deletePreset->setEnabled(index > 0);
-    const auto preset = all.find(m_presets->itemText(index));
-    if (index == 0 || preset == all.end())
-        return;
-    m_plan = fromJson(preset->toObject(), m_plan.folder);
-    showPlan();
+    if (const auto plan = m_presets.find(m_presetChoice->itemText(index)); index > 0 && plan) {
+        const QString folder = m_plan.folder; // remembered apart
+        m_plan = *plan;
+        m_plan.folder = folder;
+        showPlan();
+    }
 }
 
 void ExportDialog::chooseFolder() {

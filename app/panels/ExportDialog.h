@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/export/ExportPlan.h"
+#include "app/export/ExportPresets.h"
 #include "app/jobs/JobRunner.h"
 
 #include <QDialog>
@@ -54,7 +55,7 @@ class ExportDialog : public QDialog {
     void readPlan();
     void showFiles();
     void showProgress();
-    void loadPresets();
+    void loadPresets(const QString& current);
     void savePreset();
     void choosePreset(int index);
     void deletePreset();
@@ -68,6 +69,7 @@ class ExportDialog : public QDialog {
     Pipeline& m_pipeline;
     JobRunner& m_runner;
     Settings& m_settings;
+    ExportPresets m_presets;
     std::function<QImage()> m_currentView;
     ExportPlan m_plan;
     QTimer m_poll;
@@ -75,7 +77,7 @@ class ExportDialog : public QDialog {
 
     QListWidget* m_kinds = nullptr;
     QStackedWidget* m_pages = nullptr;
-    QComboBox* m_presets = nullptr;
+    QComboBox* m_presetChoice = nullptr;
     QPushButton* m_deletePreset = nullptr;
     QCheckBox* m_exr = nullptr;
     QCheckBox* m_png = nullptr;

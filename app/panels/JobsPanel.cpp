@@ -14,6 +14,9 @@ namespace txn::app {
 namespace {
 
 constexpr int kPollMs = 200;
+constexpr int kRowHeight = 26;
+constexpr int kBarHeight = 6;
+constexpr int kStopWidth = 36;
 enum Column { What, Progress, Time, Stop };
 
 } // namespace
@@ -30,7 +33,8 @@ JobsPanel::JobsPanel(JobRunner& runner, QWidget* parent)
     m_list->setSelectionMode(QAbstractItemView::NoSelection);
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(What, QHeaderView::Stretch);
-    m_list->header()->setSectionResizeMode(Stop, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(Stop, QHeaderView::Fixed);
+    m_list->header()->resizeSection(Stop, kStopWidth);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_list);
@@ -56,7 +60,7 @@ void JobsPanel::showJobs() {
         const JobRunner::Info& job = jobs[static_cast<std::size_t>(i)];
         item->setText(What, job.title);
         item->setData(What, Qt::UserRole, static_cast<int>(job.kind));
-        auto* bar = static_cast<QProgressBar*>(m_list->itemWidget(item, Progress));
+        auto* bar = m_list->itemWidget(item, Progress)->findChild<QProgressBar*>();
         bar->setRange(0, job.progress > 0.0 ? 100 : 0); // 0: it moves without telling how far
         bar->setValue(static_cast<int>(job.progress * 100.0));
         item->setText(
@@ -70,14 +74,19 @@ void JobsPanel::showJobs() {
 
 QTreeWidgetItem* JobsPanel::addRow() {
     auto* item = new QTreeWidgetItem(m_list);
+    item->setSizeHint(What, {0, kRowHeight});
     auto* bar = new QProgressBar;
     bar->setTextVisible(false);
-    bar->setFixedHeight(8);
-    m_list->setItemWidget(item, Progress, bar);
+    bar->setFixedHeight(kBarHeight);
+    auto* middle = new QWidget; // of the row's height
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 8, 0);
+    column->addWidget(bar);
+    m_list->setItemWidget(item, Progress, middle);
     auto* stop = new QToolButton;
     stop->setObjectName(QStringLiteral("jobStop"));
     stop->setIcon(themeIcon(QStringLiteral("close")));
-    stop->setIconSize({10, 10});
+    stop->setIconSize({14, 14});
     stop->setAccessibleName(tr("Cancel"));
     stop->setToolTip(tr("Stops this work."));
     stop->setFocusPolicy(Qt::StrongFocus);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/PictureView.h"
 
+#include "app/display/Difference.h"
 #include "app/look/Theme.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
 #include "app/views/ViewCamera.h"
 #include "app/views/ViewTitle.h"
-#include "core/image/ColorTransfer.h"
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -24,7 +24,6 @@ constexpr int kWipeGrab = 6;
 constexpr double kOrbitPerPixel = 0.008;
 constexpr double kWheelStep = 1.189207115002721; // 2^(1/4)
 constexpr double kHighestPitch = 1.55;
-constexpr int kDifferenceGain = 8;
 
 /// Null where there is no such picture (yet), and for the noise.
 std::shared_ptr<const PicturePyramid> pyramidOf(const Pipeline& pipeline, Picture picture) {
@@ -42,25 +41,6 @@ std::shared_ptr<const PicturePyramid> pyramidOf(const Pipeline& pipeline, Pictur
         break;
     }
     return nullptr;
-}
-
-/// a - b, eight times, around mid grey; where either is missing, mid grey.
-QImage difference(const QImage& a, const QImage& b) {
-    QImage result(a.size(), QImage::Format_ARGB32_Premultiplied);
-    const auto byte = [](int x, int y) {
-        return std::clamp(128 + kDifferenceGain * (x - y), 0, 255);
-    };
-    for (int y = 0; y < a.height(); ++y) {
-        const auto* p = reinterpret_cast<const QRgb*>(a.constScanLine(y));
-        const auto* q = reinterpret_cast<const QRgb*>(b.constScanLine(y));
-        auto* out = reinterpret_cast<QRgb*>(result.scanLine(y));
-        for (int x = 0; x < a.width(); ++x)
-            out[x] = qAlpha(p[x]) == 0 || qAlpha(q[x]) == 0 ? qRgb(128, 128, 128)
-                                                            : qRgb(byte(qRed(p[x]), qRed(q[x])),
-                                                                   byte(qGreen(p[x]), qGreen(q[x])),
-                                                                   byte(qBlue(p[x]), qBlue(q[x])));
-    }
-    return result;
 }
 
 } // namespace
@@ -318,11 +298,8 @@ void PictureView::paintEvent(QPaintEvent*) {
         painter.fillRect(QRect(x, area().top(), 1, area().height()), Qt::white);
     }
     paintHint(painter);
-    if (hasFocus()) {
-        painter.setPen(themeColors().accent);
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    if (hasFocus())
+        paintFocusFrame(painter, rect());
 }
 
 void PictureView::showEvent(QShowEvent*) {
@@ -478,26 +455,10 @@ void PictureView::probe(QPointF position) {
             sampleY = ((sampleY % image->height()) + image->height()) % image->height();
         }
     }
-    ProbeInfo info;
-    info.x = static_cast<int>(std::floor(place.x()));
-    info.y = static_cast<int>(std::floor(place.y()));
-    if (sampleX >= 0 && sampleY >= 0 && sampleX < image->width() && sampleY < image->height()) {
-        for (int c = 0; c < image->channels(); ++c) {
-            const float v = image->at(sampleX, sampleY, c);
-            const bool linear = image->transfer() == Transfer::Linear;
-            info.encoded.push_back(static_cast<double>(linear ? encodedFromLinear(v) : v));
-            info.linear.push_back(static_cast<double>(linear ? v : linearFromEncoded(v)));
-        }
-        const std::size_t count = info.encoded.size();
-        if (count == 1 || count == 3) {
-            const auto byte = [&](std::size_t c) {
-                return static_cast<int>(std::lround(
-                    std::clamp(info.encoded[std::min(c, count - 1)], 0.0, 1.0) * 255.0));
-            };
-            info.hex = QColor(byte(0), byte(1), byte(2)).name().toUpper();
-        }
-    }
-    emit probed(info);
+    emit probed(probePixel(
+        *image,
+        {sampleX, sampleY},
+        {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y()))}));
 }
 
 } // namespace txn::app

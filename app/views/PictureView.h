@@ -4,6 +4,7 @@
 #include "app/display/PicturePyramid.h"
 #include "app/document/ProjectDocument.h"
 #include "app/views/NoiseService.h"
+#include "app/views/PixelProbe.h"
 
 #include <QWidget>
 #include <array>
@@ -15,15 +16,6 @@ namespace txn::app {
 class Pipeline;
 class Settings;
 class ViewTitle;
-
-/// The values of one pixel of a picture.
-struct ProbeInfo {
-    int x = 0; ///< in pixels of the picture
-    int y = 0;
-    std::vector<double> encoded; ///< one per channel; empty outside the picture
-    std::vector<double> linear;
-    QString hex; ///< such as "#B6A890"; empty for other than one or three channels
-};
 
 /// One place of the view area: shows one of the four pictures, or two with a border between them,
 /// through the document's one camera. Draws nothing but its own pixels; noise comes from a

@@ -45,10 +45,8 @@ void BeforeAfter::paintEvent(QPaintEvent*) {
         painter.setPen(Qt::white);
         painter.drawText(label, Qt::AlignCenter, text);
     }
-    if (hasFocus()) {
-        painter.setPen(themeColors().accent);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    if (hasFocus())
+        paintFocusFrame(painter, rect());
 }
 
 void BeforeAfter::mousePressEvent(QMouseEvent*) {

@@ -67,6 +67,7 @@ bool takeAll(const QDir& folder) {
         good = studio.settle() && good;
         studio.take("first-start");
 
+        studio.raise("jobsDock");
         studio.document().change(TextonPanel::tr("Iterations"), [](Project& p) {
             p.texton.iterations = 20000;
             p.texton.support = {128, 128};
@@ -74,6 +75,7 @@ bool takeAll(const QDir& folder) {
         QTest::qWait(700);
         studio.take("computing");
         studio.document().undoStack().undo();
+        studio.raise("historyDock");
         good = studio.settle() && good;
 
         studio.trigger("view.wipe");

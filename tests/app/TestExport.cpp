@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/EngineExport.h"
 #include "app/export/ExportJob.h"
+#include "app/export/ExportPresets.h"
 #include "app/panels/ExportDialog.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
@@ -234,6 +235,30 @@ class TestExport : public QObject {
             }
         }
         TXN_AT_MOST(worst, 0.51 / 255.0 + 1e-3);
+    }
+
+    void presetsAreRemembered() {
+        Settings settings(m_folder.filePath("settings.ini"));
+        ExportPresets presets(settings);
+        QVERIFY(presets.names().isEmpty() && !presets.find("game"));
+        ExportPlan plan;
+        plan.kind = ExportKind::Noise;
+        plan.nameTemplate = "{name}_{size}";
+        plan.size = {640, 320};
+        plan.tileable = false;
+        plan.format = ImageFormat::OpenExr;
+        plan.depth = SampleFormat::Half;
+        presets.save("game", plan);
+        presets.save("film", {});
+        QCOMPARE(presets.names(), QStringList({"film", "game"}));
+        QVERIFY(presets.find("game") == plan);
+        presets.remove("film");
+        QCOMPARE(ExportPresets(settings).names(), QStringList("game"));
+        settings.setJson("export-presets", "{\"bad\": {\"width\": -5, \"kind\": 99}}");
+        const auto bad = presets.find("bad");
+        QVERIFY(bad && bad->size.width == 1 && bad->kind == ExportKind::Engine);
+        settings.setJson("export-presets", "not JSON");
+        QVERIFY(presets.names().isEmpty());
     }
 
     void theDialogWritesWhatItShows() {

@@ -2,9 +2,11 @@
 #include "app/views/NoiseService.h"
 #include "core/mesh/BuiltinMeshes.h"
 #include "gl/HeadlessContext.h"
+#include "tests/app/Studio.h"
 #include "tests/helpers/Gl.h"
 #include "tests/helpers/Textons.h"
 
+#include <QLabel>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -48,6 +50,21 @@ class TestNoGl : public QObject {
         QCOMPARE(ready.count(), 1);
         QVERIFY(service.renderer().isEmpty());
         QVERIFY(service.problem().contains("OpenGL"));
+    }
+
+    void theWindowSaysSoAndShowsAPreview() {
+        Studio studio;
+        QVERIFY(studio.openSample("sand"));
+        QVERIFY(studio.find<QLabel>("messageText")->text().contains("graphics card"));
+        PictureView* noise = studio.window().views().views()[3];
+        QVERIFY(noise->noiseFrame().onProcessor);
+        const QImage picture = noise->grabPicture();
+        QVERIFY(picture.pixel(20, 20) != picture.pixel(200, 150));
+        for (const NoiseScene scene : {NoiseScene::Perspective, NoiseScene::Surface}) {
+            studio.document().change("View", [scene](Project& p) { p.noise.scene = scene; });
+            QVERIFY(studio.settle());
+            QVERIFY(!noise->noiseFrame().image.isNull());
+        }
     }
 };
 

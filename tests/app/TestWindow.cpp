@@ -37,7 +37,8 @@ QStringList clipped(QWidget& root) {
         const auto* label = qobject_cast<QLabel*>(widget);
         const auto* button = qobject_cast<QAbstractButton*>(widget);
         const bool wraps = label != nullptr && label->wordWrap();
-        if (!widget->isVisible() || widget->objectName().startsWith("qt_") || wraps ||
+        const bool seen = widget->isVisible() && !widget->visibleRegion().isEmpty();
+        if (!seen || widget->objectName().startsWith("qt_") || wraps ||
             (label == nullptr && button == nullptr) ||
             (label != nullptr && label->text().isEmpty()))
             continue;
@@ -282,7 +283,7 @@ class TestWindow : public QObject {
         QVERIFY(studio.settle());
         for (const char* dock : {"spectrumDock", "histogramDock", "jobsDock", "historyDock"}) {
             studio.find<QDockWidget>(dock)->raise();
-            QTest::qWait(10);
+            QVERIFY(studio.settle());
             QCOMPARE(clipped(studio.window()).join(' '), QString());
             QCOMPARE(cutOff(studio.window()).join(' '), QString());
         }

@@ -108,7 +108,7 @@ const Edges& appEdges() {
         {"look", {"settings"}},
         {"jobs", {"memory", "document", "display"}},
         {"pipeline", {"memory", "document", "jobs", "look"}},
-        {"export", {"document", "jobs"}},
+        {"export", {"settings", "document", "jobs"}},
         {"files", {"settings", "document", "display", "jobs", "look"}},
         {"widgets", {"settings", "document", "look"}},
         {"views", {"settings", "document", "display", "jobs", "look", "pipeline"}},
