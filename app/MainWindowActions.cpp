@@ -28,6 +28,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProxyStyle>
 #include <QRandomGenerator>
 #include <QToolBar>
 #include <QWhatsThis>
@@ -45,6 +46,20 @@ constexpr std::array kDockOrder{"exemplarDock",
                                 "jobsDock"};
 
 constexpr double kZoomStep = 1.4142135623730951;
+
+/// Menus with pictures that are to be seen.
+class ThumbnailStyle final : public QProxyStyle {
+  public:
+    static constexpr int kSide = 40;
+
+    ThumbnailStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+    int pixelMetric(PixelMetric metric,
+                    const QStyleOption* option,
+                    const QWidget* widget) const override {
+        return metric == PM_SmallIconSize ? kSide
+                                          : QProxyStyle::pixelMetric(metric, option, widget);
+    }
+};
 
 QString sampleTitle(const QString& name) {
     const std::map<QString, QString> titles{
@@ -501,6 +516,9 @@ void MainWindow::createMenus() {
     m_recentMenu = file->addMenu(tr("Open &recent"));
     m_sampleMenu = file->addMenu(tr("Open a sa&mple"));
     m_sampleMenu->setObjectName(QStringLiteral("sampleMenu"));
+    auto* style = new ThumbnailStyle;
+    style->setParent(m_sampleMenu);
+    m_sampleMenu->setStyle(style);
     fill(file,
          {"",
           "file.save",
@@ -582,7 +600,7 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::fillSampleMenu() {
     if (!m_sampleMenu->isEmpty())
         return;
-    constexpr Size kThumbnail{48, 48};
+    constexpr Size kThumbnail{2 * ThumbnailStyle::kSide, 2 * ThumbnailStyle::kSide};
     for (const SampleInfo& sample : sampleCatalog()) {
         const QString name =
             QString::fromUtf8(sample.name.data(), static_cast<qsizetype>(sample.name.size()));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace txn::app {
 namespace {
@@ -23,7 +24,7 @@ QRgb viridis(double t) {
     const auto i = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
     const double f = place - static_cast<double>(i);
     const auto mix = [&](std::size_t c) {
-        return static_cast<int>(kViridis[i][c] * (1.0 - f) + kViridis[i + 1][c] * f + 0.5);
+        return static_cast<int>(std::lround(kViridis[i][c] * (1.0 - f) + kViridis[i + 1][c] * f));
     };
     return qRgb(mix(0), mix(1), mix(2));
 }

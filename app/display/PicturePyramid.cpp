@@ -41,7 +41,8 @@ class ToScreen {
                 const float light = transfer == Transfer::Linear ? v : linearFromEncoded(v);
                 shown = encodedFromLinear(static_cast<float>(light * gain));
             }
-            m_table[i] = static_cast<std::uint8_t>(std::clamp(shown, 0.0F, 1.0F) * 255.0F + 0.5F);
+            m_table[i] =
+                static_cast<std::uint8_t>(std::lround(std::clamp(shown, 0.0F, 1.0F) * 255.0F));
         }
         // Above 1, a darker exposure may still show something.
         m_range = gain < 1.0 ? static_cast<float>(1.0 / gain) : 1.0F;
@@ -66,7 +67,8 @@ class ToScreen {
             const float v = static_cast<float>(i) / m_scale;
             const float light = transfer == Transfer::Linear ? v : linearFromEncoded(v);
             const float shown = encodedFromLinear(static_cast<float>(light * gain));
-            m_table[i] = static_cast<std::uint8_t>(std::clamp(shown, 0.0F, 1.0F) * 255.0F + 0.5F);
+            m_table[i] =
+                static_cast<std::uint8_t>(std::lround(std::clamp(shown, 0.0F, 1.0F) * 255.0F));
         }
     }
 

@@ -181,7 +181,7 @@ Result<TextonAsset> readTextonAsset(CborReader reader) {
     const QCborArray kernels = reader.array("kernels");
     if (kernels.isEmpty() || kernels.size() > kMaxKernels)
         return damaged;
-    for (const QCborValue& kernel : kernels) {
+    for (const auto& kernel : kernels) {
         auto image = readImage(CborReader(kernel.toMap()), texton.transfer);
         if (!image)
             return image.error();
@@ -190,7 +190,8 @@ Result<TextonAsset> readTextonAsset(CborReader reader) {
             return damaged;
         texton.kernels.push_back(std::move(*image));
     }
-    for (const QCborValue& mean : reader.array("mean")) {
+    const QCborArray means = reader.array("mean");
+    for (const auto& mean : means) {
         const double value = mean.toDouble(std::nan(""));
         if (!(std::abs(value) <= static_cast<double>(Exemplar::kLargestSample)))
             return damaged;

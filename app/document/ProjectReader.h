@@ -12,7 +12,7 @@ namespace txn::app {
 /// what is there and out of its range or of another type is remembered: isGood() turns false.
 class CborReader {
   public:
-    explicit CborReader(QCborMap map) : m_map(std::move(map)) {}
+    explicit CborReader(const QCborMap& map) : m_map(map) {}
 
     bool isGood() const { return m_good; }
     bool has(const char* key) const { return m_map.contains(QLatin1String(key)); }

@@ -18,7 +18,9 @@ Image middle(const Image& image) {
         return image;
     auto part =
         crop(image, {(image.width() - size.width) / 2, (image.height() - size.height) / 2, size});
-    return part ? std::move(*part) : image;
+    if (!part)
+        return image;
+    return std::move(*part);
 }
 
 } // namespace

@@ -88,28 +88,32 @@ class MonochromeIcon final : public QIconEngine {
   public:
     explicit MonochromeIcon(QString file) : m_file(std::move(file)) {}
 
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-        painter->drawPixmap(rect,
-                            drawn(rect.size() * painter->device()->devicePixelRatioF(), mode));
+    void
+    paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+        const QSize pixels = rect.size() * painter->device()->devicePixelRatioF();
+        painter->drawPixmap(rect, drawn(pixels, mode, state));
     }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override {
-        return drawn(size, mode);
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        return drawn(size, mode, state);
     }
     /// Qt gives the size in device pixels.
-    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State, qreal) override {
-        return drawn(size, mode);
+    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override {
+        return drawn(size, mode, state);
     }
     QIconEngine* clone() const override { return new MonochromeIcon(m_file); }
 
   private:
-    QPixmap drawn(const QSize& size, QIcon::Mode mode) const {
+    QPixmap drawn(const QSize& size, QIcon::Mode mode, QIcon::State state) const {
         QImage image(size, QImage::Format_ARGB32_Premultiplied);
         image.fill(Qt::transparent);
         QPainter painter(&image);
         QSvgRenderer(m_file).render(&painter, QRectF(QPointF(), QSizeF(image.size())));
         painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
         const ThemeColors& colors = themeColors();
-        painter.fillRect(image.rect(), mode == QIcon::Disabled ? colors.secondary : colors.text);
+        painter.fillRect(image.rect(),
+                         mode == QIcon::Disabled ? colors.secondary
+                         : state == QIcon::On    ? colors.window // on the accent
+                                                 : colors.text);
         painter.end();
         return QPixmap::fromImage(image);
     }

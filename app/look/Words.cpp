@@ -39,7 +39,7 @@ QString inShort(ErrorCode code) {
 } // namespace
 
 QString inWords(const Error& error) {
-    const QString details = QString::fromStdString(error.message);
+    QString details = QString::fromStdString(error.message);
     if (QLocale().language() == QLocale::English)
         return details;
     return QStringLiteral("%1 (%2)").arg(inShort(error.code), details);

@@ -169,8 +169,8 @@ void CropCanvas::mouseMoveEvent(QMouseEvent* event) {
         update();
         return;
     }
-    double left = static_cast<double>(m_start.x);
-    double top = static_cast<double>(m_start.y);
+    auto left = static_cast<double>(m_start.x);
+    auto top = static_cast<double>(m_start.y);
     double right = left + m_start.size.width;
     double bottom = top + m_start.size.height;
     const QPointF by = m_to - m_from;
@@ -244,8 +244,8 @@ void CropCanvas::keyPressEvent(QKeyEvent* event) {
     constexpr int kStep = 8;
     const Rect crop = shownCrop();
     const bool resize = event->modifiers().testFlag(Qt::ShiftModifier);
-    const double left = static_cast<double>(crop.x);
-    const double top = static_cast<double>(crop.y);
+    const auto left = static_cast<double>(crop.x);
+    const auto top = static_cast<double>(crop.y);
     const double dx =
         resize ? x * kStep
                : std::clamp<double>(x * kStep, -left, m_size.width - left - crop.size.width);

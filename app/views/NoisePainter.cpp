@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kPieceMs = 20.0;
 constexpr int kColors = 3;
+/// Fewer take what starting a draw takes.
+constexpr std::int64_t kTellingPixels = 4096;
 /// A first guess, so that the first frame of a slow renderer does not keep anybody waiting.
 constexpr double kUnknownCost = 200.0;
 
@@ -106,7 +108,7 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
         return std::optional<NoiseFrame>();
     const double nanoseconds =
         std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-    if (warm) {
+    if (warm && size.area() >= kTellingPixels) {
         double& cost = m_cost[request.view.index()];
         const double now = nanoseconds / static_cast<double>(size.area());
         cost = cost > 0.0 ? 0.7 * cost + 0.3 * now : now;

@@ -2,6 +2,7 @@
 #include "app/views/NoiseWorker.h"
 
 #include "app/jobs/ThreadPriority.h"
+#include "core/mesh/BuiltinMeshes.h"
 
 namespace txn::app {
 namespace {
@@ -12,6 +13,7 @@ using namespace std::chrono_literals;
 constexpr double kMovingMs = 15.0;
 /// Without a new request for so long, things are still.
 constexpr auto kStillAfter = 60ms;
+constexpr QSize kRehearsalSize{16, 16};
 
 } // namespace
 
@@ -84,16 +86,53 @@ std::optional<NoiseWorker::Task> NoiseWorker::next() {
                 return !client.complete && now - client.since >= kStillAfter;
             }))
             return task;
+        if (!m_rehearsals.empty() && isStill(now)) {
+            Task task;
+            task.request = std::move(m_rehearsals.back());
+            task.rehearsal = true;
+            m_rehearsals.pop_back();
+            return task;
+        }
         const bool unfinished =
             std::any_of(m_clients.begin(), m_clients.end(), [](const auto& entry) {
                 return !entry.second.complete;
             });
-        if (unfinished)
+        if (unfinished || !m_rehearsals.empty())
             m_wake.wait_for(lock, kStillAfter / 4);
         else
             m_wake.wait(lock);
     }
     return std::nullopt;
+}
+
+bool NoiseWorker::isStill(Clock::time_point now) const {
+    return std::all_of(m_clients.begin(), m_clients.end(), [now](const auto& entry) {
+        return entry.second.complete && now - entry.second.since >= kStillAfter;
+    });
+}
+
+void NoiseWorker::rehearse(const NoiseRequest& request) {
+    const std::lock_guard lock(m_mutex);
+    const auto program = [&](const View& view) {
+        const auto* mesh = std::get_if<MeshView>(&view);
+        return Program{view.index(),
+                       mesh != nullptr ? mesh->mapping : MeshView::Mapping::Surface,
+                       request.style.noise.process,
+                       request.style.filter};
+    };
+    m_compiled.insert(program(request.view));
+    MeshView byCoordinates;
+    byCoordinates.mapping = MeshView::Mapping::TextureCoordinates;
+    for (const View& view : {View(GroundView{}), View(byCoordinates), View(MeshView{})}) {
+        if (!m_compiled.insert(program(view)).second)
+            continue;
+        NoiseRequest few = request;
+        few.view = view;
+        few.size = kRehearsalSize;
+        if (!few.mesh)
+            few.mesh = std::make_shared<const TriangleMesh>(sphereMesh());
+        m_rehearsals.push_back(std::move(few));
+    }
 }
 
 bool NoiseWorker::isOutdated(const Task& task) {
@@ -104,6 +143,10 @@ bool NoiseWorker::isOutdated(const Task& task) {
 }
 
 void NoiseWorker::draw(const Task& task, NoisePainter& painter) {
+    if (task.rehearsal) {
+        static_cast<void>(painter.draw(task.request, 1.0, [] { return false; }));
+        return;
+    }
     const double scale = task.coarse ? painter.scaleFor(task.request, kMovingMs) : 1.0;
     // A coarse frame is drawn to its end: while things move, one that is a little late is better
     // than none.
@@ -126,6 +169,8 @@ void NoiseWorker::draw(const Task& task, NoisePainter& painter) {
     }
     if (*frame) {
         (*frame)->complete = complete;
+        if (complete && !(*frame)->onProcessor)
+            rehearse(task.request);
         m_callbacks.frame(task.client, std::move(**frame));
     }
 }
@@ -139,8 +184,11 @@ void NoiseWorker::run() {
             const std::lock_guard lock(m_mutex);
             return std::exchange(m_loseContext, false);
         }();
-        if (lose)
+        if (lose) {
             painter.loseContext();
+            const std::lock_guard lock(m_mutex);
+            m_compiled.clear();
+        }
         draw(*task, painter);
     }
 }

@@ -8,7 +8,10 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
+#include <tuple>
+#include <vector>
 
 namespace txn::app {
 
@@ -47,13 +50,20 @@ class NoiseWorker {
         quint64 number = 0;
         NoiseRequest request;
         bool coarse = false;
+        bool rehearsal = false; ///< nobody waits for the picture
     };
+    /// What shaders are compiled for.
+    using Program = std::tuple<std::size_t, MeshView::Mapping, NoiseProcess, Filter>;
 
     void run();
     /// Waits for something to draw; nothing when the program ends.
     std::optional<Task> next();
     void draw(const Task& task, NoisePainter& painter);
     bool isOutdated(const Task& task);
+    bool isStill(Clock::time_point now) const;
+    /// Shaders of the views that may be asked for next are compiled while nothing else is to be
+    /// done, by drawing a few pixels of each.
+    void rehearse(const NoiseRequest& request);
 
     Callbacks m_callbacks;
     std::mutex m_mutex;
@@ -61,6 +71,8 @@ class NoiseWorker {
     std::map<quint64, Client> m_clients;
     quint64 m_requests = 0;
     quint64 m_lastServed = 0;
+    std::set<Program> m_compiled;
+    std::vector<NoiseRequest> m_rehearsals;
     bool m_loseContext = false;
     bool m_ending = false;
     std::thread m_thread; ///< last: starts when all else is there

@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPainter>
 #include <cstdio>
 
@@ -17,6 +18,8 @@ using namespace txn::app;
 using namespace txn::test;
 
 namespace {
+
+constexpr int kQuality = 90;
 
 class Photographer : public Studio {
   public:
@@ -44,8 +47,8 @@ class Photographer : public Studio {
                 paintOver(painter, *over);
         }
         painter.end();
-        const QString path = m_folder.filePath(QLatin1String(name) + QStringLiteral(".png"));
-        if (!picture.save(path))
+        const QString path = m_folder.filePath(QLatin1String(name) + QStringLiteral(".jpg"));
+        if (!picture.save(path, "JPG", kQuality))
             std::fprintf(stderr, "cannot write %s\n", qPrintable(path));
     }
 
@@ -78,6 +81,10 @@ bool takeAll(const QDir& folder) {
         studio.raise("historyDock");
         good = studio.settle() && good;
 
+        auto* samples = studio.find<QMenu>("sampleMenu");
+        samples->popup(studio.window().mapToGlobal(QPoint(24, 64)));
+        studio.take("samples");
+        samples->close();
         studio.trigger("view.wipe");
         good = studio.openSample("stone") && good;
         studio.take("wipe");

@@ -144,7 +144,7 @@ class TestControls : public QObject {
 
     void thePaletteRunsWhatWasTyped() {
         Studio studio;
-        QVERIFY(studio.openSample("sand"));
+        QVERIFY(studio.openSmall());
         QTest::keyClick(&studio.window(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         auto* search = studio.find<QLineEdit>("paletteSearch");
         QVERIFY(search != nullptr);
@@ -155,7 +155,7 @@ class TestControls : public QObject {
 
     void everyControlOfTheWindowIsExplained() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         everyControlIsExplained(studio.window());
         studio.trigger("file.export");
         everyControlIsExplained(*studio.find<QDialog>("exportDialog"));
@@ -165,7 +165,7 @@ class TestControls : public QObject {
 
     void nothingIsModalButQuestions() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         for (const char* id : {"file.export", "edit.shortcuts", "help.about", "help.keys"}) {
             studio.trigger(id);
             QVERIFY2(QApplication::activeModalWidget() == nullptr, id);
@@ -201,7 +201,7 @@ class TestControls : public QObject {
     /// Around the window by F6 and through a panel by Tab, to every control.
     void theKeyboardIsEnough() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         QSet<const QWidget*> parts;
         for (int i = 0; i < 8; ++i) {
             QTest::keyClick(&studio.window(), Qt::Key_F6);
@@ -237,7 +237,7 @@ class TestControls : public QObject {
 
     void arrowsLookAround() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         studio.document().change("View",
                                  [](Project& p) { p.noise.scene = NoiseScene::Perspective; });
         PictureView* view = studio.window().views().views()[3];
@@ -256,7 +256,7 @@ class TestControls : public QObject {
 
     void smallStepsOfSlidersArrive() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         for (const char* name :
              {"noiseContrast", "noiseBrightness", "noiseScale", "noiseImpacts"}) {
             QWidget* track = studio.part(name, "track");
@@ -268,7 +268,7 @@ class TestControls : public QObject {
 
     void jobsAreStoppedOneByOne() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         const auto before = studio->pipeline().texton();
         studio.document().change("Iterations", [](Project& p) { p.texton.iterations = 100000; });
         QTRY_VERIFY(studio->pipeline().texton() != before);
@@ -280,7 +280,7 @@ class TestControls : public QObject {
 
     void whatIsThisAnswers() {
         Studio studio;
-        QVERIFY(studio.openSample("rust"));
+        QVERIFY(studio.openSmall());
         QWidget* track = studio.part("textonSupport", "track");
         QHelpEvent query(QEvent::QueryWhatsThis, {3, 3}, track->mapToGlobal(QPoint(3, 3)));
         QVERIFY(QApplication::sendEvent(track, &query) && query.isAccepted());

@@ -54,7 +54,7 @@ class TestNoGl : public QObject {
 
     void theWindowSaysSoAndShowsAPreview() {
         Studio studio;
-        QVERIFY(studio.openSample("sand"));
+        QVERIFY(studio.openSmall());
         QVERIFY(studio.find<QLabel>("messageText")->text().contains("graphics card"));
         PictureView* noise = studio.window().views().views()[3];
         QVERIFY(noise->noiseFrame().onProcessor);
