@@ -24,9 +24,11 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLocale>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStatusBar>
+#include <QTimer>
 #include <QUndoView>
 #include <QVBoxLayout>
 
@@ -34,11 +36,13 @@ namespace txn::app {
 namespace {
 
 constexpr int kStateVersion = 1;
+constexpr int kSaveMs = 50;
 constexpr QSize kFirstSize{1440, 900};
-constexpr int kSideWidth = 304;
+constexpr int kLeftWidth = 304;
+constexpr int kRightWidth = 340;
 constexpr int kBottomHeight = 216;
-constexpr int kTextonHeight = 448;
-constexpr int kNoiseHeight = 404;
+constexpr int kTextonHeight = 460;
+constexpr int kNoiseHeight = 392;
 
 } // namespace
 
@@ -80,7 +84,9 @@ MainWindow::MainWindow(const Parts& parts)
         problem(tr("That did not work: %1").arg(reason));
     });
     connect(&m_noise, &NoiseService::ready, this, [this] {
-        m_renderer->setText(m_noise.renderer());
+        // "llvmpipe (LLVM 15.0.6, 256 bits)": the name will do.
+        m_renderer->setText(m_noise.renderer().section(QLatin1Char('('), 0, 0).trimmed());
+        m_renderer->setToolTip(tr("What draws the noise: %1").arg(m_noise.renderer()));
         if (!m_noise.problem().isEmpty())
             m_messages->show(MessageBar::Kind::Warning,
                              tr("The noise is drawn without the graphics card, from above only: %1")
@@ -183,11 +189,11 @@ void MainWindow::arrangeDocks() {
         addDockWidget(Qt::BottomDockWidgetArea, dock(id));
     for (const char* id : {"histogramDock", "historyDock", "jobsDock"})
         tabifyDockWidget(dock("spectrumDock"), dock(id));
-    dock("historyDock")->raise();
+    dock("spectrumDock")->raise();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({dock("exemplarDock"), dock("textonDock")},
-                {kSideWidth, kSideWidth},
+                {kLeftWidth, kRightWidth},
                 Qt::Horizontal);
     resizeDocks({dock("spectrumDock")}, {kBottomHeight}, Qt::Vertical);
     resizeDocks({dock("textonDock"), dock("noiseDock")},
@@ -228,20 +234,23 @@ void MainWindow::focusNextPart() {
             parts.push_back(dock->widget());
     }
     const QWidget* focused = QApplication::focusWidget();
-    std::size_t next = 0;
+    std::size_t now = parts.size() - 1;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i] == focused || (focused != nullptr && parts[i]->isAncestorOf(focused)))
-            next = (i + 1) % parts.size();
+            now = i;
     }
-    // A panel itself takes no focus: its first control does.
-    QList<QWidget*> candidates = parts[next]->findChildren<QWidget*>();
-    candidates.prepend(parts[next]);
-    for (QWidget* candidate : candidates) {
-        if (candidate->isVisible() && candidate->isEnabled() &&
-            candidate->focusProxy() == nullptr &&
-            (candidate->focusPolicy() & Qt::TabFocus) == Qt::TabFocus) {
-            candidate->setFocus(Qt::TabFocusReason);
-            return;
+    // A panel itself takes no focus: its first control does. Some have none.
+    for (std::size_t step = 1; step <= parts.size(); ++step) {
+        QWidget* part = parts[(now + step) % parts.size()];
+        QList<QWidget*> candidates = part->findChildren<QWidget*>();
+        candidates.prepend(part);
+        for (QWidget* candidate : candidates) {
+            if (candidate->isVisible() && candidate->isEnabled() &&
+                candidate->focusProxy() == nullptr &&
+                (candidate->focusPolicy() & Qt::TabFocus) == Qt::TabFocus) {
+                candidate->setFocus(Qt::TabFocusReason);
+                return;
+            }
         }
     }
 }
@@ -252,7 +261,8 @@ void MainWindow::createStatusBar() {
     m_zoom = new QLabel;
     m_probe->setToolTip(tr("Place and values of the pixel under the mouse."));
     m_zoom->setObjectName(QStringLiteral("zoom"));
-    m_zoom->setToolTip(tr("Screen pixels for each pixel of the photo."));
+    m_zoom->setToolTip(tr("How the pictures are shown: screen pixels for each pixel of the photo, "
+                          "exposure, channel."));
     m_error = new QLabel;
     m_error->setObjectName(QStringLiteral("errorSummary"));
     m_error->setToolTip(tr("How far the texton is from the photo; see the Texton panel."));
@@ -260,14 +270,23 @@ void MainWindow::createStatusBar() {
     m_renderer->setObjectName(QStringLiteral("renderer"));
     m_renderer->setToolTip(tr("What draws the noise."));
     statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(new JobsStatus(m_runner));
     statusBar()->addWidget(m_probe, 1);
-    statusBar()->addPermanentWidget(new JobsStatus(m_runner));
     for (QLabel* label : {m_zoom, m_error, m_renderer})
         statusBar()->addPermanentWidget(label);
     connect(m_views, &ViewArea::probed, this, &MainWindow::showProbe);
     connect(m_views, &ViewArea::probeLeft, m_probe, &QLabel::clear);
     const auto showZoom = [this] {
-        m_zoom->setText(tr("%1 %").arg(QLocale().toString(100.0 * m_document.view().zoom, 'f', 0)));
+        const ViewState& view = m_document.view();
+        const QLocale locale;
+        QStringList parts{tr("Zoom %1 %").arg(locale.toString(100.0 * view.zoom, 'f', 0))};
+        if (view.exposure != 0.0)
+            parts.append(tr("exposure %1%2")
+                             .arg(view.exposure > 0.0 ? QStringLiteral("+") : QString(),
+                                  locale.toString(view.exposure, 'f', 1)));
+        if (view.channel)
+            parts.append(tr("channel %1 only").arg(*view.channel + 1));
+        m_zoom->setText(parts.join(QStringLiteral(", ")));
     };
     connect(&m_document, &ProjectDocument::viewChanged, this, showZoom);
     showZoom();
@@ -303,18 +322,50 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_closing && m_document.isModified()) {
-        event->ignore();
-        m_files->whenSafe([this] {
-            m_closing = true;
+    const auto later = [this](int ms, Closing closing) {
+        QTimer::singleShot(ms, this, [this, closing] {
+            m_closing = closing;
             close();
         });
+    };
+    if (m_runner.isBusy(JobKind::Save)) { // it ends in a moment
+        event->ignore();
+        later(kSaveMs, m_closing);
+        return;
+    }
+    if (m_closing == Closing::No && m_document.isModified()) {
+        event->ignore();
+        m_files->whenSafe([later] { later(0, Closing::NothingToSave); });
+        return;
+    }
+    if (m_closing != Closing::NothingToExport && m_runner.isBusy(JobKind::Export)) {
+        event->ignore();
+        askAboutExport();
         return;
     }
     if (m_hiddenDocks.empty())
         m_settings.setWindow(saveGeometry(), saveState(kStateVersion));
     m_runner.cancelAll();
     event->accept();
+}
+
+void MainWindow::askAboutExport() {
+    auto* question = new QMessageBox(QMessageBox::Question,
+                                     tr("Stop the export?"),
+                                     tr("An export is still being written."),
+                                     QMessageBox::Cancel,
+                                     this);
+    question->setObjectName(QStringLiteral("exportQuestion"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->addButton(tr("Stop it and close"), QMessageBox::AcceptRole);
+    connect(question, &QMessageBox::finished, this, [this, question](int) {
+        const bool stop =
+            question->buttonRole(question->clickedButton()) == QMessageBox::AcceptRole;
+        m_closing = stop ? Closing::NothingToExport : Closing::No;
+        if (stop)
+            close();
+    });
+    question->open();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

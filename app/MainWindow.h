@@ -56,6 +56,7 @@ class MainWindow : public QMainWindow {
     void createEditActions();
     void createViewActions();
     void createTextonActions();
+    void createNoiseActions();
     void createWindowActions();
     void createHelpActions();
     void createMenus();
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
     void showProbe(const ProbeInfo& probe);
     void showTitle();
     void focusNextPart();
+    void askAboutExport();
     QAction* action(const QString& id,
                     const QString& text,
                     const QString& toolTip,
@@ -103,7 +105,8 @@ class MainWindow : public QMainWindow {
     QLabel* m_zoom = nullptr;
     QLabel* m_error = nullptr;
     QLabel* m_renderer = nullptr;
-    bool m_closing = false;
+    /// What has been asked about already on the way out.
+    enum class Closing { No, NothingToSave, NothingToExport } m_closing = Closing::No;
 };
 
 } // namespace txn::app

@@ -92,11 +92,13 @@ void MainWindow::createActions() {
     createEditActions();
     createViewActions();
     createTextonActions();
+    createNoiseActions();
     createWindowActions();
     createHelpActions();
 }
 
 void MainWindow::createFileActions() {
+    m_actions->beginGroup(tr("File"));
     action(QStringLiteral("file.new"),
            tr("&New"),
            tr("Close everything and start afresh."),
@@ -156,6 +158,7 @@ void MainWindow::createFileActions() {
 }
 
 void MainWindow::createEditActions() {
+    m_actions->beginGroup(tr("Edit"));
     QUndoStack& stack = m_document.undoStack();
     QAction* undo = action(QStringLiteral("edit.undo"),
                            tr("&Undo"),
@@ -185,6 +188,14 @@ void MainWindow::createEditActions() {
                    m_messages->show(MessageBar::Kind::Note,
                                     tr("There is no picture in the clipboard."));
            });
+    action(QStringLiteral("edit.resetExemplar"),
+           tr("Reset the &exemplar"),
+           tr("Back to the photo as it was opened."),
+           QStringLiteral("Ctrl+Shift+X"),
+           [this] {
+               m_document.change(tr("Reset the exemplar"),
+                                 [](Project& project) { project.edit = ExemplarEdit{}; });
+           });
     action(QStringLiteral("edit.shortcuts"),
            tr("&Shortcuts..."),
            tr("Choose your own keys."),
@@ -197,6 +208,7 @@ void MainWindow::createEditActions() {
 }
 
 void MainWindow::createViewActions() {
+    m_actions->beginGroup(tr("View"));
     struct Layout {
         const char* id;
         QString text;
@@ -313,6 +325,7 @@ void MainWindow::createViewActions() {
            tr("Show the values as they are."),
            "0",
            0.0);
+    m_actions->beginGroup(tr("Channels"));
     const auto isolate = [this](const char* id,
                                 const QString& text,
                                 const char* key,
@@ -329,6 +342,7 @@ void MainWindow::createViewActions() {
     isolate("view.channel1", tr("First channel (red)"), "Shift+1", 0);
     isolate("view.channel2", tr("Second channel (green)"), "Shift+2", 1);
     isolate("view.channel3", tr("Third channel (blue)"), "Shift+3", 2);
+    m_actions->beginGroup(tr("Surround"));
     const auto surround =
         [this](const char* id, const QString& text, const char* key, Surround choice) {
             action(QLatin1String(id),
@@ -341,12 +355,13 @@ void MainWindow::createViewActions() {
                        emit m_document.viewChanged();
                    });
         };
-    surround("view.surroundGrey", tr("Gray surround"), "Shift+G", Surround::Grey);
-    surround("view.surroundBlack", tr("Black surround"), "Shift+B", Surround::Black);
-    surround("view.surroundWhite", tr("White surround"), "Shift+W", Surround::White);
+    surround("view.surroundGrey", tr("Gray"), "Shift+G", Surround::Grey);
+    surround("view.surroundBlack", tr("Black"), "Shift+B", Surround::Black);
+    surround("view.surroundWhite", tr("White"), "Shift+W", Surround::White);
 }
 
 void MainWindow::createTextonActions() {
+    m_actions->beginGroup(tr("Texton"));
     action(QStringLiteral("texton.compute"),
            tr("&Compute again"),
            tr("Compute the texton once more and watch it form."),
@@ -385,6 +400,38 @@ void MainWindow::createTextonActions() {
            GaussianMethod::RandomPhase);
 }
 
+void MainWindow::createNoiseActions() {
+    m_actions->beginGroup(tr("Noise"));
+    struct Choice {
+        const char* id;
+        QString text;
+        const char* key;
+        NoiseScene scene;
+    };
+    for (const Choice& each :
+         {Choice{"noise.flat", tr("&Flat"), "Ctrl+Shift+1", NoiseScene::Plane},
+          Choice{"noise.ground", tr("&Ground"), "Ctrl+Shift+2", NoiseScene::Perspective},
+          Choice{"noise.mesh", tr("Mesh, by its &UVs"), "Ctrl+Shift+3", NoiseScene::Mesh},
+          Choice{"noise.surface", tr("Mesh, any &surface"), "Ctrl+Shift+4", NoiseScene::Surface}})
+        action(QLatin1String(each.id),
+               each.text,
+               tr("What the noise is shown on."),
+               QLatin1String(each.key),
+               [this, scene = each.scene] {
+                   m_document.change(tr("Noise view"),
+                                     [scene](Project& project) { project.noise.scene = scene; });
+               });
+    action(QStringLiteral("noise.lighting"),
+           tr("&Lighting"),
+           tr("Shade the mesh, or not."),
+           QStringLiteral("L"),
+           [this] {
+               m_document.change(tr("Lighting"), [](Project& project) {
+                   project.noise.lighting = !project.noise.lighting;
+               });
+           });
+}
+
 void MainWindow::newSeed() {
     const quint32 seed = QRandomGenerator::global()->generate();
     const Picture picture = m_views->pictureUnderMouse().value_or(Picture::Noise);
@@ -403,6 +450,7 @@ void MainWindow::newSeed() {
 }
 
 void MainWindow::createWindowActions() {
+    m_actions->beginGroup(tr("Panel"));
     for (std::size_t i = 0; i < kDockOrder.size(); ++i) {
         QAction* toggle = m_docks.at(QLatin1String(kDockOrder[i]))->toggleViewAction();
         toggle->setToolTip(tr("Show or hide this panel."));
@@ -412,6 +460,7 @@ void MainWindow::createWindowActions() {
                          QStringLiteral("Alt+%1").arg(i + 1));
         addAction(toggle);
     }
+    m_actions->beginGroup(tr("Window"));
     // In a view only: elsewhere, Tab goes to the next control.
     QAction* hide =
         m_actions->add(QStringLiteral("window.hideDocks"),
@@ -449,8 +498,11 @@ void MainWindow::createWindowActions() {
                        applyTheme(*qApp, choice);
                    });
         };
+    m_actions->beginGroup(tr("Theme"));
     theme("window.themeDark", tr("&Dark"), "Ctrl+Alt+D", ThemeChoice::Dark);
     theme("window.themeLight", tr("&Light"), "Ctrl+Alt+L", ThemeChoice::Light);
+    theme("window.themeSystem", tr("As the &system"), "Ctrl+Alt+S", ThemeChoice::System);
+    m_actions->beginGroup(tr("Language"));
     int count = 0;
     for (const QString& code : availableLanguages())
         action(QStringLiteral("window.language.") + code,
@@ -458,10 +510,10 @@ void MainWindow::createWindowActions() {
                tr("The language of the window, from the next start on."),
                QStringLiteral("Ctrl+Alt+%1").arg(++count),
                [this, code] { chooseLanguage(code); });
-    theme("window.themeSystem", tr("As the &system"), "Ctrl+Alt+S", ThemeChoice::System);
 }
 
 void MainWindow::createHelpActions() {
+    m_actions->beginGroup(tr("Help"));
     action(QStringLiteral("help.palette"),
            tr("&Command palette"),
            tr("Find any command by typing a part of its name."),
@@ -530,7 +582,7 @@ void MainWindow::createMenus() {
           "",
           "file.quit"});
     fill(menuBar()->addMenu(tr("&Edit")),
-         {"edit.undo", "edit.redo", "", "edit.paste", "", "edit.shortcuts"});
+         {"edit.undo", "edit.redo", "", "edit.paste", "edit.resetExemplar", "", "edit.shortcuts"});
     QMenu* view = menuBar()->addMenu(tr("&View"));
     fill(view,
          {"view.single",
@@ -556,6 +608,8 @@ void MainWindow::createMenus() {
          {"view.surroundGrey", "view.surroundBlack", "view.surroundWhite"});
     fill(menuBar()->addMenu(tr("&Texton")),
          {"texton.compute", "texton.cancel", "texton.newSeed", "", "texton.adsn", "texton.rpn"});
+    fill(menuBar()->addMenu(tr("&Noise")),
+         {"noise.flat", "noise.ground", "noise.mesh", "noise.surface", "", "noise.lighting"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     for (const char* id : kDockOrder)
         window->addAction(m_docks.at(QLatin1String(id))->toggleViewAction());

@@ -83,6 +83,13 @@
     </message>
 </context>
 <context>
+    <name>txn::app::ActionRegistry</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>txn::app::Autosave</name>
     <message>
         <source>Keeping a copy</source>
@@ -104,8 +111,8 @@
         <translation>Avant</translation>
     </message>
     <message>
-        <source>After</source>
-        <translation>Après</translation>
+        <source>After (hold for before)</source>
+        <translation>Après (tenir : avant)</translation>
     </message>
 </context>
 <context>
@@ -122,16 +129,12 @@
         <source>Commands</source>
         <translation>Commandes</translation>
     </message>
-    <message>
-        <source>%1   (%2)</source>
-        <translation>%1   (%2)</translation>
-    </message>
 </context>
 <context>
     <name>txn::app::ErrorPlot</name>
     <message>
-        <source>Iterations</source>
-        <translation>Itérations</translation>
+        <source>Model error against iterations</source>
+        <translation>Erreur du modèle selon les itérations</translation>
     </message>
 </context>
 <context>
@@ -179,14 +182,6 @@
     <message>
         <source>Its values lean to one side; those of the noise are spread evenly around the mean.</source>
         <translation>Ses valeurs penchent d&apos;un côté&#xa0;; celles du bruit se répartissent également autour de la moyenne.</translation>
-    </message>
-    <message>
-        <source>Has patches or shapes that even out</source>
-        <translation>A des taches ou des formes qui s&apos;estompent</translation>
-    </message>
-    <message>
-        <source>Its grain is stronger in some places than in others, which a Gaussian texture cannot keep. Compare with the Gaussian version, or crop an even part.</source>
-        <translation>Son grain est plus fort à certains endroits qu&apos;à d&apos;autres, ce qu&apos;une texture gaussienne ne peut pas garder. Comparer avec la version gaussienne, ou recadrer sur une partie homogène.</translation>
     </message>
     <message>
         <source>Suits texton noise</source>
@@ -327,6 +322,14 @@
     <message>
         <source>Skewness %1, excess kurtosis %2, clipped values %3 %, sub-bands %4 standard deviations from those of its Gaussian versions.</source>
         <translation>Asymétrie %1, excès d&apos;aplatissement %2, valeurs écrêtées %3&#xa0;%, sous-bandes à %4 écarts-types de celles de ses versions gaussiennes.</translation>
+    </message>
+    <message>
+        <source>Has shapes that a Gaussian texture cannot keep</source>
+        <translation>Contient des formes qu&apos;une texture gaussienne ne garde pas</translation>
+    </message>
+    <message>
+        <source>Edges, patches and single features even out into grain. Compare with the Gaussian version, or crop a part that is all grain.</source>
+        <translation>Les bords, les taches et les détails isolés se fondent en grain. Comparer avec la version gaussienne, ou recadrer une partie qui n&apos;est que grain.</translation>
     </message>
 </context>
 <context>
@@ -851,16 +854,36 @@
         <translation>Maj + glisser</translation>
     </message>
     <message>
-        <source>Fine steps of a slider</source>
-        <translation>Régler finement un curseur</translation>
-    </message>
-    <message>
         <source>Double-click</source>
         <translation>Double clic</translation>
     </message>
     <message>
-        <source>Slider: default; title: one view</source>
-        <translation>Curseur&#xa0;: défaut&#xa0;; titre&#xa0;: une vue</translation>
+        <source>In a view</source>
+        <translation>Dans une vue</translation>
+    </message>
+    <message>
+        <source>Double-click the title</source>
+        <translation>Double-clic sur le titre</translation>
+    </message>
+    <message>
+        <source>This view only</source>
+        <translation>Cette vue seulement</translation>
+    </message>
+    <message>
+        <source>On a slider</source>
+        <translation>Sur un curseur</translation>
+    </message>
+    <message>
+        <source>Fine steps</source>
+        <translation>Pas fins</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Valeur par défaut</translation>
+    </message>
+    <message>
+        <source>Any key closes this.</source>
+        <translation>N&apos;importe quelle touche ferme ceci.</translation>
     </message>
 </context>
 <context>
@@ -920,10 +943,6 @@
     <message>
         <source>What draws the noise.</source>
         <translation>Ce qui dessine le bruit.</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Relative model error %1</source>
@@ -1190,18 +1209,6 @@
         <translation>Ce qui entoure les images.</translation>
     </message>
     <message>
-        <source>Gray surround</source>
-        <translation>Fond gris</translation>
-    </message>
-    <message>
-        <source>Black surround</source>
-        <translation>Fond noir</translation>
-    </message>
-    <message>
-        <source>White surround</source>
-        <translation>Fond blanc</translation>
-    </message>
-    <message>
         <source>&amp;Compute again</source>
         <translation>Re&amp;calculer</translation>
     </message>
@@ -1446,10 +1453,6 @@
         <translation>Position et valeurs du pixel sous la souris.</translation>
     </message>
     <message>
-        <source>Screen pixels for each pixel of the photo.</source>
-        <translation>Pixels d&apos;écran pour chaque pixel de la photo.</translation>
-    </message>
-    <message>
         <source>How far the texton is from the photo; see the Texton panel.</source>
         <translation>Écart entre le texton et la photo&#xa0;; voir le panneau Texton.</translation>
     </message>
@@ -1476,6 +1479,142 @@
     <message>
         <source>Saving the picture</source>
         <translation>Enregistrement de l&apos;image</translation>
+    </message>
+    <message>
+        <source>What draws the noise: %1</source>
+        <translation>Ce qui dessine le bruit : %1</translation>
+    </message>
+    <message>
+        <source>How the pictures are shown: screen pixels for each pixel of the photo, exposure, channel.</source>
+        <translation>Affichage des images : pixels d&apos;écran pour chaque pixel de la photo, exposition, canal.</translation>
+    </message>
+    <message>
+        <source>Zoom %1 %</source>
+        <translation>Zoom %1 %</translation>
+    </message>
+    <message>
+        <source>exposure %1%2</source>
+        <translation>exposition %1%2</translation>
+    </message>
+    <message>
+        <source>channel %1 only</source>
+        <translation>canal %1 seul</translation>
+    </message>
+    <message>
+        <source>Stop the export?</source>
+        <translation>Arrêter l&apos;export ?</translation>
+    </message>
+    <message>
+        <source>An export is still being written.</source>
+        <translation>Un export est encore en cours d&apos;écriture.</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Arrêter et fermer</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Reset the &amp;exemplar</source>
+        <translation>Rétablir l&apos;&amp;exemplaire</translation>
+    </message>
+    <message>
+        <source>Back to the photo as it was opened.</source>
+        <translation>Retour à la photo telle qu&apos;elle a été ouverte.</translation>
+    </message>
+    <message>
+        <source>Reset the exemplar</source>
+        <translation>Réinitialiser l&apos;exemplaire</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Canaux</translation>
+    </message>
+    <message>
+        <source>Surround</source>
+        <translation>Fond</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Noir</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanc</translation>
+    </message>
+    <message>
+        <source>&amp;Flat</source>
+        <translation>À &amp;plat</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Sol</translation>
+    </message>
+    <message>
+        <source>Mesh, by its &amp;UVs</source>
+        <translation>Maillage, par ses &amp;UV</translation>
+    </message>
+    <message>
+        <source>Mesh, any &amp;surface</source>
+        <translation>Maillage, toute s&amp;urface</translation>
+    </message>
+    <message>
+        <source>What the noise is shown on.</source>
+        <translation>Ce sur quoi le bruit est montré.</translation>
+    </message>
+    <message>
+        <source>Noise view</source>
+        <translation>Vue du bruit</translation>
+    </message>
+    <message>
+        <source>&amp;Lighting</source>
+        <translation>É&amp;clairage</translation>
+    </message>
+    <message>
+        <source>Shade the mesh, or not.</source>
+        <translation>Ombrer le maillage, ou non.</translation>
+    </message>
+    <message>
+        <source>Lighting</source>
+        <translation>Éclairage</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>&amp;Noise</source>
+        <translation>&amp;Bruit</translation>
     </message>
 </context>
 <context>
@@ -1908,10 +2047,6 @@
         <translation>px</translation>
     </message>
     <message>
-        <source>Very close to the material</source>
-        <translation>Très proche du matériau</translation>
-    </message>
-    <message>
         <source>As close as two photos of this material</source>
         <translation>Aussi proche que deux photos de ce matériau</translation>
     </message>
@@ -2096,6 +2231,10 @@
     <message>
         <source>Fair. A larger support may help</source>
         <translation>Correct. Un support plus grand peut aider</translation>
+    </message>
+    <message>
+        <source>As close as this method gets</source>
+        <translation>Aussi proche que la méthode le permet</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/ProjectDocument.h"
 
-#include "app/memory/Background.h"
-
 #include <QFileInfo>
 #include <QUndoCommand>
 #include <atomic>
@@ -103,7 +101,9 @@ void ProjectDocument::setProject(const Project& project) {
     m_project = project;
     // The undo stack may keep many photos, but not their pixels.
     if (last && otherSource)
-        inBackground([last] { last->letGo(); });
+        Source::letGo(last);
+    if (m_project.source && otherSource)
+        m_project.source->hold();
     emit projectChanged();
     if (otherSource)
         emit titleChanged();

@@ -4,7 +4,10 @@
 #include "core/export/Exporter.h"
 #include "core/samples/Samples.h"
 
+#include "app/memory/Background.h"
+
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryFile>
@@ -32,8 +35,9 @@ Result<Source::File> readFile(const QString& path) {
 }
 
 Result<LoadedImage> decoded(const QByteArray& bytes, const QString& name) {
-    // The decoders read files only.
-    QTemporaryFile file;
+    // The decoders read files only, and know some kinds by their endings only.
+    QTemporaryFile file(
+        QDir::temp().filePath(QStringLiteral("texton-studio-XXXXXX.") + QFileInfo(name).suffix()));
     if (!file.open() || file.write(bytes) != bytes.size() || !file.flush())
         return Error{
             ErrorCode::Unwritable,
@@ -78,14 +82,25 @@ Result<Source::Picture> Source::picture() const {
         m_file.sample.isEmpty() ? decoded(m_file.bytes, m_file.name) : drawnSample(m_file.sample);
     if (!loaded)
         return loaded.error();
-    m_picture = std::make_shared<const LoadedImage>(std::move(*loaded));
-    return m_picture;
+    const Picture picture = std::make_shared<const LoadedImage>(std::move(*loaded));
+    if (m_held)
+        m_picture = picture;
+    return picture;
 }
 
-void Source::letGo() const {
-    Picture freed;
-    const std::lock_guard lock(m_mutex);
-    freed.swap(m_picture);
+void Source::hold() const {
+    m_held = true;
+}
+
+void Source::letGo(const std::shared_ptr<const Source>& source) {
+    source->m_held = false;
+    // Somebody may just be decoding: that must not keep the interface waiting.
+    inBackground([source] {
+        Picture freed;
+        const std::lock_guard lock(source->m_mutex);
+        if (!source->m_held)
+            freed.swap(source->m_picture);
+    });
 }
 
 Result<std::shared_ptr<const Source>> openSource(const QString& path) {

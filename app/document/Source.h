@@ -6,6 +6,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <variant>
@@ -48,13 +49,16 @@ class Source {
     /// The picture, decoded again if it was let go: may take long. Any thread. Errors: those of
     /// loadImage.
     [[nodiscard]] Result<Picture> picture() const;
-    /// Frees the pixels until somebody asks for them again. Any thread.
-    void letGo() const;
+    /// Whether the pixels are kept for the next one who asks; they are at first. Letting go frees
+    /// them in the background. Any thread.
+    void hold() const;
+    static void letGo(const std::shared_ptr<const Source>& source);
 
   private:
     File m_file;
     Facts m_facts;
-    mutable std::mutex m_mutex;
+    mutable std::atomic<bool> m_held{true};
+    mutable std::mutex m_mutex; ///< of m_picture
     mutable Picture m_picture;
 };
 

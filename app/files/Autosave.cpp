@@ -45,6 +45,14 @@ QByteArray thumbnail(const Project& project) {
     return bytes;
 }
 
+/// Held as long as this process lives.
+std::unique_ptr<QLockFile> lockOf(const QString& file) {
+    auto lock = std::make_unique<QLockFile>(file + kLockEnding);
+    lock->setStaleLockTime(0);
+    lock->tryLock(0);
+    return lock;
+}
+
 bool isAlive(const QString& lockFile) {
     QLockFile lock(lockFile);
     lock.setStaleLockTime(0);
@@ -65,9 +73,7 @@ Autosave::Autosave(ProjectDocument& document, JobRunner& runner, const QString& 
     : m_document(document), m_runner(runner), m_folder(folder) {
     QDir().mkpath(folder);
     m_file = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
-    m_lock = std::make_unique<QLockFile>(m_file + kLockEnding);
-    m_lock->setStaleLockTime(0); // as long as the process lives
-    m_lock->tryLock(0);
+    m_lock = lockOf(m_file);
     m_soon.setSingleShot(true);
     m_soon.setInterval(delayMs);
     connect(&m_soon, &QTimer::timeout, this, &Autosave::write);
@@ -76,15 +82,20 @@ Autosave::Autosave(ProjectDocument& document, JobRunner& runner, const QString& 
 }
 
 Autosave::~Autosave() {
+    giveUp();
+}
+
+void Autosave::giveUp() {
+    m_soon.stop();
     m_runner.cancel(JobKind::Autosave);
+    m_givenUp->store(true);
+    m_givenUp = std::make_shared<std::atomic<bool>>(false);
     QFile::remove(m_file);
 }
 
 void Autosave::schedule() {
     if (!m_document.isModified()) {
-        m_soon.stop();
-        m_runner.cancel(JobKind::Autosave);
-        QFile::remove(m_file);
+        giveUp();
         return;
     }
     // Not put off by further changes: while somebody drags, something is kept, too.
@@ -93,9 +104,10 @@ void Autosave::schedule() {
 }
 
 void Autosave::adopt(const RecoveredProject& copy) {
-    QFile::remove(m_file);
-    if (QFile::rename(copy.file, m_file))
-        QFile::remove(copy.file + kLockEnding);
+    giveUp();
+    m_file = copy.file;
+    m_lock = lockOf(m_file);
+    m_soon.start();
 }
 
 void Autosave::write() {
@@ -111,7 +123,8 @@ void Autosave::write() {
          project = m_document.project(),
          view = m_document.view(),
          title = m_document.title(),
-         original = m_document.filePath()](JobContext& context) -> Delivery {
+         original = m_document.filePath(),
+         givenUp = m_givenUp](JobContext&) -> Delivery {
             QCborMap map;
             map[QStringLiteral("format")] = kFormat;
             map[QStringLiteral("title")] = title;
@@ -123,8 +136,8 @@ void Autosave::write() {
             QSaveFile output(file);
             const bool written = output.open(QIODevice::WriteOnly) &&
                                  output.write(bytes) == bytes.size() && output.commit();
-            // Once it is given up, it must not come back; whoever cancels removes it, too.
-            if (context.cancelled())
+            // Whoever gives it up removes it, too: it must not come back.
+            if (*givenUp)
                 QFile::remove(file);
             if (written)
                 return {};
@@ -136,7 +149,12 @@ void Autosave::write() {
 }
 
 bool mayBeRecoverable(const QString& folder) {
-    return !QDir(folder).entryList({QStringLiteral("*") + kEnding}, QDir::Files).isEmpty();
+    // Or a part of one, to be swept away: QSaveFile adds six letters while it writes.
+    return !QDir(folder)
+                .entryList({QStringLiteral("*") + kEnding,
+                            QStringLiteral("*") + kEnding + QStringLiteral(".??????")},
+                           QDir::Files)
+                .isEmpty();
 }
 
 std::vector<RecoveredProject> findRecoverable(const QString& folder) {

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QLockFile>
 #include <QTimer>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -48,12 +49,15 @@ class Autosave : public QObject {
   private:
     void schedule();
     void write();
+    void giveUp();
 
     ProjectDocument& m_document;
     JobRunner& m_runner;
     QString m_folder;
     QString m_file;
     std::unique_ptr<QLockFile> m_lock; ///< held while this program lives
+    /// Tells a job that still writes: what it wrote is to go again.
+    std::shared_ptr<std::atomic<bool>> m_givenUp = std::make_shared<std::atomic<bool>>(false);
     QTimer m_soon;
 };
 

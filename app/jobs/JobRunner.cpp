@@ -87,8 +87,8 @@ class JobRunner::Job final : public JobContext, public std::enable_shared_from_t
 };
 
 JobRunner::JobRunner(QObject* parent) : QObject(parent), m_slots(kJobKinds) {
-    // A long export must not keep the live work waiting: one thread more than cores to work on.
-    m_pool.setMaxThreadCount(workingCores() + 1);
+    // One of each kind: no long export keeps opening, saving or the live work waiting.
+    m_pool.setMaxThreadCount(kJobKinds);
     m_pool.setExpiryTimeout(-1);
 }
 
@@ -174,6 +174,10 @@ void JobRunner::cancelAll() {
 bool JobRunner::isBusy(JobKind kind) const {
     const Slot& place = slot(kind);
     return place.waiting || (place.running && !place.running->cancelled());
+}
+
+bool JobRunner::isRunning(JobKind kind) const {
+    return slot(kind).running != nullptr;
 }
 
 bool JobRunner::isIdle() const {

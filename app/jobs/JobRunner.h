@@ -75,6 +75,8 @@ class JobRunner : public QObject {
 
     /// Whether one runs or waits that has not been cancelled.
     bool isBusy(JobKind kind) const;
+    /// Whether a thread is at work for it, cancelled or not.
+    bool isRunning(JobKind kind) const;
     bool isIdle() const;
     /// Threads that are still at work, cancelled jobs included.
     int activeThreads() const;

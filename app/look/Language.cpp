@@ -21,6 +21,7 @@ void installLanguage(QApplication& application, const QString& language) {
 }
 
 void installTranslations(QCoreApplication& application, const QString& language) {
+    qDeleteAll(application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly));
     const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
     QLocale::setDefault(locale);
     // Qt's own texts, such as those of file dialogs, first: ours are asked before them.

@@ -21,7 +21,8 @@ const ThemeColors kDark{QColor(0x2b, 0x2b, 0x2b),
                         QColor(0x4a, 0xa3, 0xdf),
                         QColor(0xe0, 0xa0, 0x30),
                         QColor(0xf0, 0x8c, 0x88),
-                        QColor(0x46, 0x46, 0x46)};
+                        QColor(0x46, 0x46, 0x46),
+                        QColor(0x78, 0x78, 0x78)};
 const ThemeColors kLight{QColor(0xdc, 0xdc, 0xdc),
                          QColor(0xe8, 0xe8, 0xe8),
                          QColor(0xf6, 0xf6, 0xf6),
@@ -30,7 +31,8 @@ const ThemeColors kLight{QColor(0xdc, 0xdc, 0xdc),
                          QColor(0x1a, 0x60, 0x94),
                          QColor(0x7a, 0x4e, 0x00),
                          QColor(0xb0, 0x2a, 0x26),
-                         QColor(0xc2, 0xc2, 0xc2)};
+                         QColor(0xc2, 0xc2, 0xc2),
+                         QColor(0x86, 0x86, 0x86)};
 
 bool isDark(const QPalette& palette) {
     return palette.color(QPalette::Window).lightness() < 128;
@@ -77,9 +79,12 @@ QString styleSheet(const ThemeColors& colors) {
                                                     {"@accent", colors.accent},
                                                     {"@stale", colors.stale},
                                                     {"@error", colors.error},
-                                                    {"@line", colors.line}};
+                                                    {"@line", colors.line},
+                                                    {"@groove", colors.groove}};
     for (const auto& [role, color] : roles)
         text.replace(QLatin1String(role), color.name());
+    text.replace(QLatin1String("@check"),
+                 &colors == &kDark ? QLatin1String("check-dark") : QLatin1String("check-light"));
     return text;
 }
 

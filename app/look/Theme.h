@@ -12,9 +12,10 @@ class QRect;
 
 namespace txn::app {
 
-/// The colours by their roles, for whoever paints by hand.
+/// The colours by their roles, for whoever paints by hand. groove: what has to be seen against a
+/// panel without being read, such as the track of a slider.
 struct ThemeColors {
-    QColor window, panel, field, text, secondary, accent, stale, error, line;
+    QColor window, panel, field, text, secondary, accent, stale, error, line, groove;
 };
 [[nodiscard]] const ThemeColors& darkColors();
 [[nodiscard]] const ThemeColors& lightColors();

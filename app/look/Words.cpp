@@ -40,8 +40,11 @@ QString inShort(ErrorCode code) {
 
 QString inWords(const Error& error) {
     QString details = QString::fromStdString(error.message);
-    if (QLocale().language() == QLocale::English)
+    if (QLocale().language() == QLocale::English) {
+        if (!details.isEmpty())
+            details[0] = details[0].toUpper();
         return details;
+    }
     return QStringLiteral("%1 (%2)").arg(inShort(error.code), details);
 }
 

@@ -9,6 +9,7 @@
 #include <QLineSeries>
 #include <QValueAxis>
 #include <algorithm>
+#include <cmath>
 
 namespace txn::app {
 
@@ -32,8 +33,8 @@ ErrorPlot::ErrorPlot(QWidget* parent)
         axis->setLineVisible(false);
     }
     m_iterations->setLabelFormat(QStringLiteral("%.0f"));
-    m_iterations->setTitleText(tr("Iterations"));
-    m_error->setLabelFormat(QStringLiteral("%.1f"));
+    m_iterations->setTitleText(tr("Model error against iterations"));
+    m_error->setLabelFormat(QStringLiteral("%.2f"));
     m_error->setRange(0.0, 1.0);
     plot->addAxis(m_iterations, Qt::AlignBottom);
     plot->addAxis(m_error, Qt::AlignLeft);
@@ -50,14 +51,18 @@ ErrorPlot::ErrorPlot(QWidget* parent)
 void ErrorPlot::showCurve(const std::vector<ErrorPoint>& curve, int iterations) {
     QList<QPointF> points;
     points.reserve(static_cast<qsizetype>(curve.size()));
-    double highest = 1.0;
+    double lowest = curve.empty() ? 0.0 : curve.front().relativeModelError;
+    double highest = curve.empty() ? 1.0 : lowest;
     for (const ErrorPoint& point : curve) {
         points.append({static_cast<double>(point.iteration), point.relativeModelError});
+        lowest = std::min(lowest, point.relativeModelError);
         highest = std::max(highest, point.relativeModelError);
     }
     m_series->replace(points);
     m_iterations->setRange(0.0, std::max(1, iterations));
-    m_error->setRange(0.0, highest > 1.0 ? 2.0 : 1.0);
+    // Whole tenths around the curve, so that it does not jump about while it grows.
+    const double low = std::max(0.0, std::floor(10.0 * lowest - 0.2) / 10.0);
+    m_error->setRange(low, std::max(low + 0.2, std::ceil(10.0 * highest + 0.2) / 10.0));
 }
 
 void ErrorPlot::applyColors() {

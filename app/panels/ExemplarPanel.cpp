@@ -65,11 +65,12 @@ Words inWords(const Suitability& s) {
                     "Its values lean to one side; those of the noise are spread evenly around the "
                     "mean.")};
     case Verdict::HasShapes:
-        return {QStringLiteral("info"),
-                ExemplarPanel::tr("Has patches or shapes that even out"),
-                ExemplarPanel::tr(
-                    "Its grain is stronger in some places than in others, which a Gaussian texture "
-                    "cannot keep. Compare with the Gaussian version, or crop an even part.")};
+        return {
+            QStringLiteral("info"),
+            ExemplarPanel::tr("Has shapes that a Gaussian texture cannot keep"),
+            ExemplarPanel::tr(
+                "Edges, patches and single features even out into grain. Compare with the Gaussian "
+                "version, or crop a part that is all grain.")};
     case Verdict::Suits:
         break;
     }

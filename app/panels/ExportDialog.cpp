@@ -103,6 +103,7 @@ QWidget* ExportDialog::buildTextonPage() {
 QWidget* ExportDialog::buildNoisePage() {
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
+    m_noiseForm = form;
     form->setContentsMargins(0, 0, 0, 0);
     m_sizes = new QComboBox;
     m_sizes->setObjectName(QStringLiteral("exportSizes"));
@@ -301,7 +302,7 @@ void ExportDialog::showPlan() {
     m_originX->setValue(static_cast<int>(m_plan.originX));
     m_originY->setValue(static_cast<int>(m_plan.originY));
     for (QSpinBox* field : {m_originX, m_originY})
-        field->setEnabled(!m_plan.tileable);
+        m_noiseForm->setRowVisible(field, !m_plan.tileable);
     for (std::size_t i = 0; i < kExportFormats.size(); ++i) {
         if (kExportFormats[i].format == m_plan.format && kExportFormats[i].depth == m_plan.depth)
             m_format->setCurrentIndex(static_cast<int>(i));
@@ -376,7 +377,8 @@ void ExportDialog::showFiles() {
                           : QFileInfo(file).fileName());
     }
     m_files->setText(ready ? lines.join(QLatin1Char('\n')) : tr("There is no texton yet."));
-    m_export->setEnabled(ready && !lines.isEmpty() && !m_runner.isBusy(JobKind::Export));
+    m_hasFiles = ready && !lines.isEmpty();
+    m_export->setEnabled(m_hasFiles && !m_runner.isBusy(JobKind::Export));
 }
 
 void ExportDialog::showProgress() {
@@ -391,7 +393,7 @@ void ExportDialog::showProgress() {
     if (info && info->remainingMs)
         m_result->setText(
             tr("%n s left", nullptr, static_cast<int>((*info->remainingMs + 999) / 1000)));
-    m_export->setEnabled(!info && isReady());
+    m_export->setEnabled(!info && m_hasFiles);
 }
 
 void ExportDialog::loadPresets(const QString& current) {

@@ -82,6 +82,8 @@ class ExportDialog : public QDialog {
     QCheckBox* m_exr = nullptr;
     QCheckBox* m_png = nullptr;
     QCheckBox* m_textonFile = nullptr;
+    bool m_hasFiles = false; ///< that would be written
+    QFormLayout* m_noiseForm = nullptr;
     QComboBox* m_sizes = nullptr;
     QSpinBox* m_width = nullptr;
     QSpinBox* m_height = nullptr;

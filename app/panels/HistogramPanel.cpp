@@ -4,6 +4,7 @@
 #include "app/look/Theme.h"
 #include "app/pipeline/Pipeline.h"
 
+#include <QAreaSeries>
 #include <QChart>
 #include <QChartView>
 #include <QEvent>
@@ -96,21 +97,32 @@ void HistogramPanel::showAnalysis() {
         chart->setTitleBrush(colors.text);
         chart->legend()->hide();
         chart->setLocalizeNumbers(true);
-        // The Gaussian version first: it lies below the noise, which should be the same.
+        // The exemplar as an area; over it the noise, and the Gaussian version in dashes, since the
+        // two should be the same.
         struct Line {
             const TextureAnalysis* analysis;
             QPen pen;
+            bool filled;
         };
-        const std::array lines{Line{&analysis->gaussian, QPen(colors.stale, 3.5)},
-                               Line{&analysis->exemplar, QPen(colors.text, 1.5)},
-                               Line{&analysis->noise, QPen(colors.accent, 1.5)}};
+        const std::array lines{
+            Line{&analysis->exemplar, Qt::NoPen, true},
+            Line{&analysis->noise, QPen(colors.accent, 2.0), false},
+            Line{&analysis->gaussian, QPen(colors.text, 1.25, Qt::DashLine), false}};
         double highest = 0.0;
         for (const Line& line : lines) {
             if (channel >= line.analysis->histograms.size())
                 continue;
             auto* series = outline(*line.analysis, channel);
             series->setPen(line.pen);
-            chart->addSeries(series);
+            if (line.filled) {
+                auto* area = new QAreaSeries(series);
+                series->setParent(area);
+                area->setPen(Qt::NoPen);
+                area->setBrush(colors.groove);
+                chart->addSeries(area);
+            } else {
+                chart->addSeries(series);
+            }
             const auto& bins = line.analysis->histograms[channel];
             highest = std::max(highest, *std::max_element(bins.begin(), bins.end()));
         }
@@ -140,13 +152,15 @@ void HistogramPanel::showAnalysis() {
 
 void HistogramPanel::showLegend() {
     const ThemeColors& colors = themeColors();
-    const auto entry = [](const QColor& color, const QString& name) {
-        return QStringLiteral("<span style='color:%1'>\u25ac</span>&nbsp;%2")
-            .arg(color.name(), name.toHtmlEscaped());
+    const auto entry = [](const QColor& color, const QString& sign, const QString& name) {
+        return QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
+            .arg(color.name(), sign, name.toHtmlEscaped());
     };
-    m_legend->setText(entry(colors.text, tr("Exemplar")) + QStringLiteral("&nbsp;&nbsp;&nbsp; ") +
-                      entry(colors.stale, tr("Gaussian version")) +
-                      QStringLiteral("&nbsp;&nbsp;&nbsp; ") + entry(colors.accent, tr("Noise")));
+    const QString gap = QStringLiteral("&nbsp;&nbsp;&nbsp; ");
+    m_legend->setText(
+        entry(colors.groove, QStringLiteral("\u25a0"), tr("Exemplar")) + gap +
+        entry(colors.text, QStringLiteral("\u2013&nbsp;\u2013"), tr("Gaussian version")) + gap +
+        entry(colors.accent, QStringLiteral("\u2014"), tr("Noise")));
 }
 
 void HistogramPanel::changeEvent(QEvent* event) {

@@ -135,7 +135,7 @@ void NoisePanel::build() {
                                2,
                                ValueSlider::Scale::Logarithmic,
                                {0.25, 0.5, 1.0, 2.0, 4.0},
-                               QStringLiteral("x"),
+                               QStringLiteral("\u00d7"),
                                NoiseGrid::kMinScale,
                                NoiseGrid::kMaxScale});
     m_scale->setObjectName(QStringLiteral("noiseScale"));

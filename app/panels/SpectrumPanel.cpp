@@ -8,6 +8,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 namespace txn::app {
 
@@ -61,8 +63,11 @@ void SpectrumPanel::showAnalysis() {
     }
     const std::array all{&analysis->exemplar, &analysis->gaussian, &analysis->noise};
     for (std::size_t i = 0; i < all.size(); ++i) {
-        m_spectra[i]->setImage(falseColors(all[i]->logPower, 0.0, 1.0));
-        m_autocorrelations[i]->setImage(falseColors(all[i]->autocorrelation, -0.2, 1.0));
+        // All on the exemplar's scale.
+        const double ratio = all[i]->peakPower / std::max(analysis->exemplar.peakPower, 1e-30);
+        const double shift = 10.0 * std::log10(std::max(ratio, 1e-30)) / TextureAnalysis::kDecibels;
+        m_spectra[i]->setImage(falseColors(all[i]->logPower, -shift, 1.0 - shift));
+        m_autocorrelations[i]->setImage(falseColors(all[i]->autocorrelation, -0.2, 0.6));
     }
 }
 

@@ -37,11 +37,10 @@ ValueSlider::Range sideRange() {
 }
 
 /// What an artist makes of the relative model error.
-QString inWords(double error) {
-    if (error <= 0.3)
-        return TextonPanel::tr("Very close to the material");
+QString inWords(double error, bool suits) {
     if (error <= 0.55)
-        return TextonPanel::tr("As close as two photos of this material");
+        return suits ? TextonPanel::tr("As close as two photos of this material")
+                     : TextonPanel::tr("As close as this method gets");
     if (error <= 0.75)
         return TextonPanel::tr("Fair. A larger support may help");
     return TextonPanel::tr("Long grain is lost. Try a larger support");
@@ -67,6 +66,7 @@ TextonPanel::TextonPanel(ProjectDocument& document,
     connect(&m_poll, &QTimer::timeout, this, &TextonPanel::showProgress);
     connect(&m_document, &ProjectDocument::projectChanged, this, &TextonPanel::showSettings);
     connect(&m_pipeline, &Pipeline::textonChanged, this, &TextonPanel::showResult);
+    connect(&m_pipeline, &Pipeline::verdictChanged, this, &TextonPanel::showResult);
     connect(&m_pipeline, &Pipeline::stateChanged, this, &TextonPanel::showProgress);
     showSettings();
     showResult();
@@ -316,7 +316,9 @@ void TextonPanel::showResult() {
         m_plot->showCurve({}, 1);
         return;
     }
-    m_verdict->setText(inWords(result->relativeModelError));
+    const auto verdict = m_pipeline.verdict();
+    m_verdict->setText(
+        inWords(result->relativeModelError, verdict && verdict->verdict == Verdict::Suits));
     m_numbers->setText(tr("Relative model error %1 after %2 iterations")
                            .arg(locale.toString(result->relativeModelError, 'f', 3),
                                 locale.toString(result->iteration)));

@@ -174,9 +174,12 @@ void Pipeline::cancelTexton() {
 
 void Pipeline::recomputeTexton() {
     ++m_attempt;
-    // What the texton is made from may have failed, for want of memory, say.
-    if (m_exemplar.isStale() && !m_runner.isBusy(JobKind::Exemplar))
-        m_exemplar.wanted = m_exemplar.made;
+    // What failed or was stopped is tried again, too.
+    retry(JobKind::Exemplar, m_exemplar);
+    retry(JobKind::Gaussian, m_gaussian);
+    retry(JobKind::Verdict, m_verdict);
+    retry(JobKind::Analysis, m_analysis);
+    retry(JobKind::Mesh, m_mesh);
     update();
 }
 

@@ -64,6 +64,11 @@ class Pipeline : public QObject {
     void updateMesh();
     void updateNoiseTexton();
     void fail(const Error& error);
+    template <class Key, class Value>
+    void retry(JobKind kind, Stage<Key, Value>& stage) {
+        if (stage.isStale() && !m_runner.isBusy(kind))
+            stage.wanted = stage.made;
+    }
     /// Empties a stage whose input has gone, and stops its job. Whether there was anything.
     template <class Key, class Value>
     bool drop(JobKind kind, Stage<Key, Value>& stage) {

@@ -161,6 +161,12 @@ bool PictureView::orbits() const {
 }
 
 void PictureView::refresh() {
+    // What is drawn of a result must not keep all of it alive once it has been replaced.
+    for (const Picture each : kPictures) {
+        Drawn& drawn = m_drawn[static_cast<std::size_t>(each)];
+        if (drawn.pyramid && drawn.pyramid != pyramidOf(m_pipeline, each))
+            drawn = {};
+    }
     m_title->showPictures(picture(), m_second);
     m_title->showGaussian(m_document.project().gaussian.method);
     m_title->setStale(m_pipeline.isStale(picture()) || (m_second && m_pipeline.isStale(*m_second)));
@@ -229,7 +235,7 @@ QImage PictureView::drawn(Picture picture) {
     PictureWindow window = pictureWindow(view, screen(), pyramid->image().size());
     window.tiled = view.tiled && picture != Picture::Texton;
     const DisplaySettings display{view.exposure, view.channel};
-    Drawn& last = m_drawn[picture == m_second ? 1 : 0];
+    Drawn& last = m_drawn[static_cast<std::size_t>(picture)];
     if (last.pyramid != pyramid || last.window != window || last.display != display)
         last = {pyramid, window, display, pyramid->draw(window, display)};
     return last.image;
@@ -261,7 +267,10 @@ QImage PictureView::grabPicture() {
 void PictureView::paintHint(QPainter& painter) {
     QString hint;
     const auto& source = m_document.project().source;
-    if (source && !source->sample().isEmpty() && picture() == Picture::Exemplar && !m_flipped)
+    // Over the sample of the first start only: whoever chose one knows.
+    const bool firstStart = source && !source->sample().isEmpty() &&
+                            m_document.undoStack().count() <= 1 && m_document.filePath().isEmpty();
+    if (firstStart && picture() == Picture::Exemplar && !m_flipped && !m_second)
         hint = tr("Drop a photo here");
     else if (!m_document.project().source && !m_document.project().importedTexton)
         hint = picture() == Picture::Exemplar ? tr("Drop a photo here") : QString();

@@ -114,7 +114,7 @@ class PictureView : public QWidget {
         DisplaySettings display;
         QImage image;
     };
-    std::array<Drawn, 2> m_drawn; ///< left and right of the border
+    std::array<Drawn, kPictures.size()> m_drawn; ///< by Picture
 
     ViewTitle* m_title;
 };

@@ -61,8 +61,9 @@ ViewArea::ViewArea(ProjectDocument& document,
     }
     connect(&m_document, &ProjectDocument::viewChanged, this, &ViewArea::arrange);
     connect(&m_document, &ProjectDocument::replaced, this, [this] {
-        m_keepView = m_document.project().source != nullptr;
+        m_keepViewOf = m_document.project().source;
         m_fitted = false;
+        m_fittedSize = {};
     });
     connect(&m_pipeline, &Pipeline::exemplarChanged, this, [this] {
         // Another picture starts whole in view; an edited one stays where it is, and that of a
@@ -71,7 +72,9 @@ ViewArea::ViewArea(ProjectDocument& document,
         if (!exemplar)
             return;
         const Size size = exemplar->exemplar.image.size();
-        if (std::exchange(m_keepView, false))
+        const bool keep = exemplar->source == m_keepViewOf;
+        m_keepViewOf.reset();
+        if (keep)
             m_fittedSize = size;
         else if (m_fitted || size != m_fittedSize)
             fit();
@@ -206,6 +209,10 @@ bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress:
         m_byKeyboard = false;
         break;
+    case QEvent::WindowDeactivate: // the release goes to somebody else
+    case QEvent::ApplicationDeactivate:
+        releaseKeys(true, true, true);
+        break;
     default:
         break;
     }
@@ -213,35 +220,47 @@ bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool ViewArea::holdKey(const QKeyEvent& event) {
-    const bool press = event.type() == QEvent::KeyPress;
     const int key = event.key();
     if (key == Qt::Key_Tab || key == Qt::Key_Backtab || key == Qt::Key_F6 || key == Qt::Key_Up ||
         key == Qt::Key_Down || key == Qt::Key_Left || key == Qt::Key_Right)
         m_byKeyboard = true;
-    if (event.modifiers() != Qt::NoModifier ||
-        (key != Qt::Key_QuoteLeft && key != Qt::Key_X && key != Qt::Key_Space))
+    // With Shift, the same key may have become another one by the time it is let go.
+    const bool flip = key == Qt::Key_QuoteLeft || key == Qt::Key_AsciiTilde;
+    if (!flip && key != Qt::Key_X && key != Qt::Key_Space)
         return false;
-    PictureView* under = m_byKeyboard ? focusedView() : viewUnderMouse();
-    // Who types into a field means the letter, and who got to a button by the keyboard wants to
-    // press it, wherever the mouse was left.
+    if (event.type() == QEvent::KeyRelease) {
+        if (!event.isAutoRepeat())
+            releaseKeys(flip, key == Qt::Key_X, key == Qt::Key_Space);
+        return false;
+    }
+    PictureView* view = m_byKeyboard ? focusedView() : viewUnderMouse();
+    // Who types into a field means the letter, who got to a button by the keyboard wants to press
+    // it, and other windows have nothing to do with views.
     const QWidget* focus = QApplication::focusWidget();
     const bool types = focus != nullptr && focus->testAttribute(Qt::WA_InputMethodEnabled);
-    if (press && (under == nullptr || types || (m_byKeyboard && key == Qt::Key_Space)))
+    if (view == nullptr || types || event.modifiers() != Qt::NoModifier ||
+        QApplication::activeWindow() != window() || QApplication::activePopupWidget() != nullptr)
         return false;
     if (event.isAutoRepeat())
-        return under != nullptr;
-    // A release ends it wherever the mouse is by then.
+        return true;
+    if (flip)
+        view->setFlipped(true);
+    else if (key == Qt::Key_X)
+        view->setDifference(true);
+    else
+        view->setPanning(true);
+    return true;
+}
+
+void ViewArea::releaseKeys(bool flip, bool difference, bool panning) {
     for (PictureView* view : m_views) {
-        if (press && view != under)
-            continue;
-        if (key == Qt::Key_QuoteLeft)
-            view->setFlipped(press);
-        else if (key == Qt::Key_X)
-            view->setDifference(press);
-        else
-            view->setPanning(press);
+        if (flip)
+            view->setFlipped(false);
+        if (difference)
+            view->setDifference(false);
+        if (panning)
+            view->setPanning(false);
     }
-    return press;
 }
 
 void ViewArea::resizeEvent(QResizeEvent*) {

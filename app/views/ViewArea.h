@@ -47,6 +47,7 @@ class ViewArea : public QWidget {
     /// Keys that act as long as they are held, on the view under the mouse, wherever the focus is.
     /// Whether it was one.
     bool holdKey(const QKeyEvent& event);
+    void releaseKeys(bool flip, bool difference, bool panning);
     PictureView* viewUnderMouse() const;
     PictureView* focusedView() const;
     PictureView& mainView() const { return *m_views.front(); }
@@ -59,9 +60,9 @@ class ViewArea : public QWidget {
     std::array<PictureView*, 4> m_views{};
     std::optional<ViewLayout> m_arranged;
     ViewLayout m_beforeMaximizing = ViewLayout::Quad;
-    bool m_byKeyboard = false; ///< the focus was moved by keys, not by the mouse
-    bool m_keepView = false;   ///< until the exemplar of the project is there
-    bool m_fitted = false;     ///< and not moved since
+    bool m_byKeyboard = false;                  ///< the focus was moved by keys, not by the mouse
+    std::shared_ptr<const Source> m_keepViewOf; ///< of an opened project, until it is prepared
+    bool m_fitted = false;                      ///< and not moved since
     Size m_fittedSize;
 };
 

@@ -7,6 +7,17 @@
 
 namespace txn::app {
 
+QString ActionRegistry::Entry::text() const {
+    QString plain = action->text();
+    plain.remove(QLatin1Char('&'));
+    plain.remove(QStringLiteral("..."));
+    return plain;
+}
+
+QString ActionRegistry::Entry::title() const {
+    return group.isEmpty() ? text() : tr("%1: %2").arg(group, text());
+}
+
 ActionRegistry::ActionRegistry(Settings& settings, QObject* parent)
     : QObject(parent), m_settings(settings) {}
 
@@ -26,7 +37,7 @@ void ActionRegistry::adopt(const QString& id, QAction* action, const QString& sh
     action->setObjectName(id);
     action->setShortcut(
         QKeySequence(m_settings.shortcut(id, shortcut), QKeySequence::PortableText));
-    m_entries.push_back({id, action, shortcut});
+    m_entries.push_back({id, action, shortcut, m_group});
 }
 
 QAction* ActionRegistry::find(const QString& id) const {

@@ -19,10 +19,17 @@ class ActionRegistry : public QObject {
         QString id; ///< such as "file.open"; what is before the dot names the menu
         QAction* action;
         QString standard; ///< default shortcut, QKeySequence::PortableText; may be empty
+        QString group;    ///< such as "File"
+
+        /// What it is called, such as "Open", and with its group, "File: Open".
+        QString text() const;
+        QString title() const;
     };
 
     explicit ActionRegistry(Settings& settings, QObject* parent = nullptr);
 
+    /// Of what is added from now on.
+    void beginGroup(const QString& title) { m_group = title; }
     /// text as in menus, with &. toolTip: one plain sentence.
     QAction* add(const QString& id,
                  const QString& text,
@@ -40,6 +47,7 @@ class ActionRegistry : public QObject {
   private:
     Settings& m_settings;
     std::vector<Entry> m_entries;
+    QString m_group;
 };
 
 } // namespace txn::app

@@ -39,7 +39,7 @@ void BeforeAfter::paintEvent(QPaintEvent*) {
                           QRectF(QPointF((image.width() - part.width()) / 2.0,
                                          (image.height() - part.height()) / 2.0),
                                  part));
-        const QString text = m_held ? tr("Before") : tr("After");
+        const QString text = m_held ? tr("Before") : tr("After (hold for before)");
         const QRect label(4, height() - 22, painter.fontMetrics().horizontalAdvance(text) + 12, 18);
         painter.fillRect(label, QColor(0, 0, 0, 150));
         painter.setPen(Qt::white);

@@ -3,9 +3,10 @@
 
 #include "app/widgets/ActionRegistry.h"
 
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QListWidget>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,13 +15,6 @@ namespace {
 
 constexpr QSize kSize{520, 360};
 constexpr int kFromTop = 48;
-
-QString plainText(const QAction& action) {
-    QString text = action.text();
-    text.remove(QLatin1Char('&'));
-    text.remove(QStringLiteral("..."));
-    return text;
-}
 
 } // namespace
 
@@ -54,7 +48,7 @@ CommandPalette* CommandPalette::open(const ActionRegistry& actions, QWidget& win
 
 CommandPalette::CommandPalette(const ActionRegistry& actions, QWidget& window)
     : QFrame(&window, Qt::Popup), m_actions(actions), m_search(new QLineEdit),
-      m_list(new QListWidget) {
+      m_list(new QTreeWidget) {
     setObjectName(QStringLiteral("commandPalette"));
     setFrameShape(QFrame::StyledPanel);
     m_search->setObjectName(QStringLiteral("paletteSearch"));
@@ -64,6 +58,13 @@ CommandPalette::CommandPalette(const ActionRegistry& actions, QWidget& window)
     m_list->setObjectName(QStringLiteral("paletteList"));
     m_list->setAccessibleName(tr("Commands"));
     m_list->setFocusPolicy(Qt::NoFocus);
+    m_list->setColumnCount(2);
+    m_list->setHeaderHidden(true);
+    m_list->setRootIsDecorated(false);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
@@ -74,7 +75,7 @@ CommandPalette::CommandPalette(const ActionRegistry& actions, QWidget& window)
     move(window.mapToGlobal(QPoint((window.width() - size.width()) / 2, kFromTop)));
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::fill);
     connect(m_search, &QLineEdit::returnPressed, this, &CommandPalette::trigger);
-    connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::trigger);
+    connect(m_list, &QTreeWidget::itemClicked, this, &CommandPalette::trigger);
     fill({});
 }
 
@@ -85,7 +86,7 @@ void CommandPalette::fill(const QString& search) {
     };
     std::vector<Match> matches;
     for (const auto& entry : m_actions.entries()) {
-        if (const auto rank = matchRank(search, plainText(*entry.action)))
+        if (const auto rank = matchRank(search, entry.title()))
             matches.push_back({*rank, &entry});
     }
     std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
@@ -94,22 +95,22 @@ void CommandPalette::fill(const QString& search) {
     m_list->clear();
     for (const Match& match : matches) {
         const QAction& action = *match.entry->action;
-        const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(
-            keys.isEmpty() ? plainText(action) : tr("%1   (%2)").arg(plainText(action), keys),
-            m_list);
-        item->setToolTip(action.toolTip());
-        item->setData(Qt::UserRole, match.entry->id);
+        auto* item = new QTreeWidgetItem(
+            m_list,
+            {match.entry->title(), action.shortcut().toString(QKeySequence::NativeText)});
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setToolTip(0, action.toolTip());
+        item->setData(0, Qt::UserRole, match.entry->id);
         if (!action.isEnabled())
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
-    m_list->setCurrentRow(0);
+    m_list->setCurrentItem(m_list->topLevelItem(0));
 }
 
 void CommandPalette::trigger() {
-    const QListWidgetItem* item = m_list->currentItem();
+    const QTreeWidgetItem* item = m_list->currentItem();
     QAction* action =
-        item != nullptr ? m_actions.find(item->data(Qt::UserRole).toString()) : nullptr;
+        item != nullptr ? m_actions.find(item->data(0, Qt::UserRole).toString()) : nullptr;
     close();
     if (action != nullptr && action->isEnabled())
         action->trigger();
@@ -118,10 +119,11 @@ void CommandPalette::trigger() {
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        const int rows = m_list->count();
+        const int rows = m_list->topLevelItemCount();
         if (rows > 0 && (key == Qt::Key_Down || key == Qt::Key_Up)) {
             const int step = key == Qt::Key_Down ? 1 : rows - 1;
-            m_list->setCurrentRow((m_list->currentRow() + step) % rows);
+            const int now = m_list->indexOfTopLevelItem(m_list->currentItem());
+            m_list->setCurrentItem(m_list->topLevelItem((now + step) % rows));
             return true;
         }
     }

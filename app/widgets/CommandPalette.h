@@ -5,7 +5,7 @@
 #include <optional>
 
 class QLineEdit;
-class QListWidget;
+class QTreeWidget;
 
 namespace txn::app {
 
@@ -29,7 +29,7 @@ class CommandPalette : public QFrame {
 
     const ActionRegistry& m_actions;
     QLineEdit* m_search;
-    QListWidget* m_list;
+    QTreeWidget* m_list;
 };
 
 /// How well search, as letters in this order, fits the text: lower is better, nothing if not at

@@ -39,24 +39,30 @@ KeyMapOverlay::KeyMapOverlay(const ActionRegistry& actions, QWidget& window) : Q
     setAccessibleName(tr("All keys"));
     setGeometry(window.rect());
     window.installEventFilter(this);
-    m_lines = {{tr("Wheel"), tr("Zoom at the mouse")},
+    m_lines = {{{}, tr("In a view")},
+               {tr("Wheel"), tr("Zoom at the mouse")},
                {tr("Middle drag, Space drag"), tr("Move the picture")},
                {tr("Left drag"), tr("Look around the ground or mesh")},
                {tr("Hold `"), tr("See the exemplar instead")},
                {tr("Hold X"), tr("See the difference, eightfold")},
-               {tr("Shift drag"), tr("Fine steps of a slider")},
-               {tr("Double-click"), tr("Slider: default; title: one view")}};
+               {tr("Double-click the title"), tr("This view only")},
+               {{}, tr("On a slider")},
+               {tr("Shift drag"), tr("Fine steps")},
+               {tr("Double-click"), tr("Default")}};
+    QString group;
     for (const auto& entry : actions.entries()) {
-        QString text = entry.action->text();
-        text.remove(QLatin1Char('&'));
-        if (!entry.action->shortcut().isEmpty())
-            m_lines.append({entry.action->shortcut().toString(QKeySequence::NativeText), text});
+        if (entry.action->shortcut().isEmpty())
+            continue;
+        if (entry.group != group)
+            m_lines.append({{}, entry.group});
+        group = entry.group;
+        m_lines.append({entry.action->shortcut().toString(QKeySequence::NativeText), entry.text()});
     }
 }
 
 void KeyMapOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), QColor(20, 20, 20, 225));
+    painter.fillRect(rect(), QColor(20, 20, 20, 245));
     const auto placed = [this](QRect place) {
         return QStyle::visualRect(layoutDirection(), rect(), place);
     };
@@ -64,13 +70,25 @@ void KeyMapOverlay::paintEvent(QPaintEvent*) {
     const int columns = std::clamp((width() - 2 * kMargin) / kColumnWidth, 1, kMostColumns);
     const int perColumn = (lines + columns - 1) / columns;
     const int lineHeight =
-        std::min(fontMetrics().height() + 8, std::max(1, (height() - 2 * kMargin) / perColumn));
+        std::min(fontMetrics().height() + 8, std::max(1, (height() - 4 * kMargin) / perColumn));
     const int top = (height() - perColumn * lineHeight) / 2;
+    painter.setPen(darkColors().secondary);
+    painter.drawText(rect().adjusted(0, 0, 0, -kMargin),
+                     Qt::AlignHCenter | Qt::AlignBottom,
+                     tr("Any key closes this."));
     const int left = std::max(kMargin, (width() - columns * kColumnWidth) / 2);
     for (int i = 0; i < m_lines.size(); ++i) {
         const int x = left + (i / perColumn) * kColumnWidth;
         const int y = top + (i % perColumn) * lineHeight;
         const QRect keys(x, y, kKeysWidth, lineHeight);
+        if (m_lines[i].keys.isEmpty()) {
+            painter.setPen(darkColors().secondary);
+            painter.drawText(placed(QRect(x + kKeysWidth + kGapWidth, y, kTextWidth, lineHeight)),
+                             QStyle::visualAlignment(layoutDirection(), Qt::AlignLeft) |
+                                 Qt::AlignVCenter,
+                             m_lines[i].text.toUpper());
+            continue;
+        }
         painter.setPen(darkColors().accent);
         painter.drawText(placed(keys),
                          QStyle::visualAlignment(layoutDirection(), Qt::AlignRight) |

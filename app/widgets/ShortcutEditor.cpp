@@ -15,14 +15,6 @@
 #include <QVBoxLayout>
 
 namespace txn::app {
-namespace {
-
-QString nameOf(const QAction& action) {
-    QString text = action.text();
-    return text.remove(QLatin1Char('&'));
-}
-
-} // namespace
 
 ShortcutEditor::ShortcutEditor(ActionRegistry& actions, QWidget* parent)
     : QDialog(parent), m_actions(actions), m_list(new QTreeWidget), m_keys(new QKeySequenceEdit),
@@ -88,11 +80,11 @@ void ShortcutEditor::fill(const QString& search) {
     const QString current = currentId();
     m_list->clear();
     for (const auto& entry : m_actions.entries()) {
-        if (!matchRank(search, nameOf(*entry.action)))
+        if (!matchRank(search, entry.title()))
             continue;
         auto* item = new QTreeWidgetItem(
             m_list,
-            {nameOf(*entry.action), entry.action->shortcut().toString(QKeySequence::NativeText)});
+            {entry.title(), entry.action->shortcut().toString(QKeySequence::NativeText)});
         item->setData(0, Qt::UserRole, entry.id);
         if (entry.id == current || m_list->currentItem() == nullptr)
             m_list->setCurrentItem(item);
@@ -123,8 +115,8 @@ void ShortcutEditor::assign(const QKeySequence& keys) {
     }
     m_keys->setKeySequence(keys);
     if (const QAction* other = m_actions.find(robbed))
-        m_note->setText(
-            tr("These keys were those of \"%1\", which has none now.").arg(nameOf(*other)));
+        m_note->setText(tr("These keys were those of \"%1\", which has none now.")
+                            .arg(other->text().remove(QLatin1Char('&'))));
 }
 
 } // namespace txn::app

@@ -13,7 +13,7 @@
 namespace txn::app {
 namespace {
 
-constexpr double kMargin = 6.0; ///< half the handle
+constexpr double kMargin = 5.0; ///< half the handle
 constexpr double kSnapPx = 5.0;
 constexpr double kFine = 0.1;
 constexpr double kKeyStep = 0.01;
@@ -70,7 +70,7 @@ void SliderTrack::paintEvent(QPaintEvent*) {
     // Where both signs are possible, the bar starts at 0.
     const double start = position(std::max(m_slider.range().low, 0.0));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colors.field);
+    painter.setBrush(isEnabled() ? colors.groove : colors.line);
     painter.drawRoundedRect(QRectF(kMargin, middle - 2.0, width() - 2.0 * kMargin, 4.0), 2.0, 2.0);
     const QColor accent = isEnabled() ? colors.accent : colors.line;
     painter.setBrush(accent);

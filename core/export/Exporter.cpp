@@ -190,7 +190,8 @@ Result<std::string> readText(const fs::path& path, std::uintmax_t limit) {
     std::error_code ec;
     const auto status = fs::status(path, ec);
     if (!fs::exists(status))
-        return Error{ErrorCode::NotFound, "there is no file " + quoted(path)};
+        return Error{ErrorCode::NotFound,
+                     "there is no file " + quoted(path) + "; was it moved or renamed?"};
     if (!fs::is_regular_file(status))
         return Error{ErrorCode::Unreadable, quoted(path) + " is not a plain file"};
     const auto size = fs::file_size(path, ec);

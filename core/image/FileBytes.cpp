@@ -22,7 +22,8 @@ Error unreadable(const std::filesystem::path& path, const std::string& reason) {
 
 Error systemError(const std::filesystem::path& path, int code) {
     if (code == ENOENT || code == ENOTDIR)
-        return {ErrorCode::NotFound, "there is no file " + quoted(path)};
+        return {ErrorCode::NotFound,
+                "there is no file " + quoted(path) + "; was it moved or renamed?"};
     return unreadable(path, std::generic_category().message(code));
 }
 

@@ -45,7 +45,8 @@ Result<std::string> readWhole(const Path& path) {
     const auto status = std::filesystem::status(path, ec);
     if (!std::filesystem::exists(status)) {
         if (!ec || status.type() == std::filesystem::file_type::not_found)
-            return Error{ErrorCode::NotFound, "there is no file " + quoted(path)};
+            return Error{ErrorCode::NotFound,
+                         "there is no file " + quoted(path) + "; was it moved or renamed?"};
         return unreadableMesh(path, ec.message());
     }
     if (std::filesystem::is_directory(status))

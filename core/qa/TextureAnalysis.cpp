@@ -71,13 +71,18 @@ HalfSpectrum zeros(Size size) {
     return spectrum;
 }
 
-Image logPicture(const HalfSpectrum& power) {
-    const int side = power.imageSize().width;
+double peakOf(const HalfSpectrum& power) {
     double peak = 0.0;
-    for (int row = 0; row < side; ++row) {
+    for (int row = 0; row < power.imageSize().height; ++row) {
         for (int column = 0; column < power.columns(); ++column)
             peak = std::max(peak, static_cast<double>(power.at(row, column).real()));
     }
+    return peak;
+}
+
+Image logPicture(const HalfSpectrum& power) {
+    const int side = power.imageSize().width;
+    const double peak = peakOf(power);
     Image picture({side, side}, 1);
     if (!(peak > 0.0))
         return picture;
@@ -164,6 +169,10 @@ TextureAnalysis analyseTexture(const Image& image, int sidePx) {
         }
         analysis.histograms.push_back(histogram(plane));
     }
+    const auto squares =
+        starts(image.height(), sidePx).size() * starts(image.width(), sidePx).size();
+    analysis.peakPower =
+        peakOf(power) / (static_cast<double>(squares) * static_cast<double>(image.channels()));
     analysis.logPower = logPicture(power);
     analysis.autocorrelation = correlationPicture(std::move(power), weights, fft);
     return analysis;

@@ -15,6 +15,9 @@ struct TextureAnalysis {
     /// 1 channel, side x side, frequency 0 in the middle: the mean power of the channels, from 0
     /// (kDecibels below the peak, or less) to 1 (the peak).
     Image logPower;
+    /// The peak itself: the power of the strongest wave in the mean over squares and channels, in
+    /// samples squared; by the ratio of two, two pictures can be shown on one scale.
+    double peakPower = 0.0;
     /// 1 channel, side / 2 x side / 2, lag 0 in the middle: mean correlation of the channels, 1 at
     /// lag 0.
     Image autocorrelation;

@@ -86,15 +86,16 @@ bool takeAll(const QDir& folder) {
         studio.take("samples");
         samples->close();
         studio.trigger("view.wipe");
-        good = studio.openSample("stone") && good;
+        good = studio.openSample("sand") && good;
         studio.take("wipe");
         studio.trigger("view.quad");
         studio.scene(NoiseScene::Perspective);
+        studio.document().changeView([](ViewState& view) { view.pitch = 0.22; });
         good = studio.openSample("wood") && good;
         studio.take("perspective");
         studio.scene(NoiseScene::Surface);
         studio.trigger("view.sideBySide");
-        good = studio.openSample("leather") && good;
+        good = studio.openSample("rust") && good;
         studio.take("mesh");
         studio.scene(NoiseScene::Plane);
         studio.trigger("view.quad");

@@ -225,6 +225,8 @@ class TestPanels : public QObject {
 
     void spectraAndHistogramsAreDrawnWhenLookedAt() {
         Studio studio;
+        studio.find<QDockWidget>("historyDock")->raise();
+        QTest::qWait(10);
         openSmall(studio);
         QVERIFY(!studio->pipeline().analysis());
         for (const char* dock : {"spectrumDock", "histogramDock"}) {

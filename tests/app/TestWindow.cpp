@@ -330,12 +330,42 @@ class TestWindow : public QObject {
         Studio studio;
         QVERIFY(studio.openSample("sand"));
         const auto first = studio.project().source;
-        const auto pixels = (*first->picture()).get();
+        const std::weak_ptr<const LoadedImage> pixels = *first->picture();
         QVERIFY(studio.openSmall());
-        QTRY_VERIFY(first->picture()->get() != pixels); // let go, and drawn again for this line
+        QTRY_VERIFY(pixels.expired());
+        QVERIFY(first->picture()); // drawn again, for whoever asks
         studio.document().undoStack().undo();
         QVERIFY(studio.settle());
         QCOMPARE(studio->pipeline().exemplar()->source, first);
+    }
+
+    /// Every kind of photo survives being embedded, also those that only their ending tells.
+    void embeddedPhotosOfEveryKindComeBack_data() {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"png", "jpg", "tif", "exr", "hdr", "tga", "bmp", "webp"})
+            QTest::newRow(ending) << ending;
+    }
+    void embeddedPhotosOfEveryKindComeBack() {
+        QFETCH(QString, ending);
+        QTemporaryDir folder;
+        const QString path = folder.filePath("photo." + ending);
+        QVERIFY(saveImage(*makeSample("rust", {40, 30}, Seed{1}), path.toStdString(), {}));
+        if (ending == "tga") { // as older programs write it: without the footer
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadWrite) && file.resize(file.size() - 26));
+        }
+        const auto source = openSource(path);
+        QVERIFY(source);
+        Project project;
+        project.source = *source;
+        const QByteArray bytes = encodeProject(project, {}, ExemplarStorage::Embedded, "/");
+        QVERIFY(QFile::remove(path));
+        const auto opened = decodeProject(bytes, "/x.txnproj");
+        QVERIFY2(opened, opened ? "" : opened.error().message.c_str());
+        QVERIFY((*opened->project.source->picture())->image == (*(*source)->picture())->image);
+        // And being let go.
+        Source::letGo(*source);
+        QVERIFY((*source)->picture());
     }
 
     void twoHundredDocumentsDoNotAddUp() {
