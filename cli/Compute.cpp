@@ -6,6 +6,7 @@
 #include "cli/SolveOptions.h"
 #include "core/base/OutputFiles.h"
 #include "core/export/Exporter.h"
+#include "core/qa/CovarianceError.h"
 
 #include <iostream>
 #include <memory>
@@ -34,7 +35,7 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return exemplar.error();
     const double load = watch.lap();
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
-    auto solved = solve(model, options.solve, cancel);
+    auto solved = solve(*exemplar, model, options.solve, cancel);
     if (!solved)
         return Error{solved.error().code,
                      quoted(options.exemplar.path) + ": " + solved.error().message};
@@ -49,6 +50,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return written.error();
     const double writing = watch.lap();
 
+    // Too small an exemplar cannot be measured against itself; it has a texton all the same.
+    const auto dial = covarianceError(*exemplar, asset.texton);
     const Size size = exemplar->image.size();
     const Size support = asset.texton.support.size();
     if (options.json) {
@@ -59,11 +62,18 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         json["support"] = {support.width, support.height};
         json["shape"] = options.solve.shape;
         json["order"] = options.solve.order;
-        json["iterations"] = options.solve.iterations;
-        json["momentum"] = options.solve.momentum;
+        json["method"] = options.solve.method;
+        json["kernels"] = asset.texton.kernelCount();
+        if (options.solve.method == "projections") {
+            json["iterations"] = options.solve.iterations;
+            json["momentum"] = options.solve.momentum;
+        }
         json["seed"] = options.solve.seed;
-        json["rme"] = solved->error;
-        json["rme_corrected"] = solved->correctedError;
+        json["covariance_error"] = dial ? nlohmann::json(dial->error) : nlohmann::json();
+        json["covariance_error_floor"] = dial ? nlohmann::json(dial->floor) : nlohmann::json();
+        json["rme"] = solved->error ? nlohmann::json(*solved->error) : nlohmann::json();
+        json["rme_corrected"] =
+            solved->correctedError ? nlohmann::json(*solved->correctedError) : nlohmann::json();
         json["seconds"] = {{"load", load}, {"solve", solving}, {"write", writing}};
         for (const auto& path : *written)
             json["outputs"].push_back(path.string());
@@ -72,9 +82,16 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     }
     std::cout << exemplar->name << ": " << size.width << " x " << size.height << ", "
               << exemplar->image.channels() << " channels; texton " << support.width << " x "
-              << support.height << ", relative model error " << shortNumber(solved->error) << " ("
-              << shortNumber(solved->correctedError) << " with corrected colours), "
-              << shortNumber(solving) << " s\n";
+              << support.height;
+    if (asset.texton.kernelCount() > 1)
+        std::cout << ", " << asset.texton.kernelCount() << " kernels";
+    if (dial)
+        std::cout << ", covariance error " << shortNumber(dial->error / dial->floor)
+                  << " x the floor";
+    if (solved->error)
+        std::cout << ", relative model error " << shortNumber(*solved->error) << " ("
+                  << shortNumber(*solved->correctedError) << " with corrected colours)";
+    std::cout << ", " << shortNumber(solving) << " s\n";
     printWritten(*written);
     return {};
 }

@@ -35,7 +35,7 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     if (!exemplar)
         return exemplar.error();
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
-    const auto solved = solve(model, options.solve, cancel);
+    const auto solved = solve(*exemplar, model, options.solve, cancel);
     if (!solved)
         return Error{solved.error().code,
                      quoted(options.exemplar.path) + ": " + solved.error().message};

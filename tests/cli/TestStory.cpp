@@ -52,6 +52,7 @@ class TestStory : public QObject {
   private slots:
     void initTestCase();
     void reportsTexton();
+    void fitsWithSeveralKernels();
     void sameNoiseFromAllFormats();
     void tileWraps();
     void threadsDoNotMatter();
@@ -146,6 +147,27 @@ void TestStory::reportsTexton() {
     QCOMPARE(outputs.size(), 6); // each with its sidecar
     for (const auto& output : outputs)
         QVERIFY2(!bytes(output.toString()).isEmpty(), qPrintable(output.toString()));
+}
+
+void TestStory::fitsWithSeveralKernels() {
+    const QString command = "compute wood.png --method fit --support 16 --seed 7 ";
+    const QJsonObject two = json(command + "--kernels 2 -o fit.exr -o fit.png");
+    QCOMPARE(two["method"].toString(), "fit");
+    QCOMPARE(two["kernels"].toInt(), 2);
+    QVERIFY(two["rme"].isNull() && !two.contains("iterations"));
+    QVERIFY(two["covariance_error_floor"].toDouble() > 0.0);
+    const QJsonObject chosen = json(command + "-o auto.exr");
+    QVERIFY(chosen["kernels"].toInt() == 1 || chosen["kernels"].toInt() == 2);
+    // Closer than the papers' method, by the dial that is made for it.
+    const QJsonObject papers =
+        json("compute wood.png --method projections --support 16 --seed 7 -o papers.exr");
+    QVERIFY(two["covariance_error"].toDouble(1e9) < papers["covariance_error"].toDouble(0.0));
+    // Both kernels are in the files, and in the noise.
+    const Image fromExr = noise("fit.exr", "--size 128x96 --seed 5");
+    QVERIFY(imageDistance(fromExr, noise("fit.png", "--size 128x96 --seed 5")) <= 4e-3);
+    run(command + "--kernels 2 -o once.exr");
+    QVERIFY(bytes("once.exr") == bytes("fit.exr"));
+    run("sheet wood.png --method fit --support 16 -o fit_sheet.png");
 }
 
 void TestStory::sameNoiseFromAllFormats() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/qa/CovarianceError.h"
+
+#include "core/image/ImageGeometry.h"
+#include "core/qa/Autocovariance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace txn {
+namespace {
+
+constexpr int kSmallest = 4;
+
+/// |C_1 - C_2| of the two halves.
+double betweenHalves(const Image& image, bool leftRight, int lag) {
+    const int half = leftRight ? image.width() / 2 : image.height() / 2;
+    const Size size = leftRight ? Size{half, image.height()} : Size{image.width(), half};
+    const int x = leftRight ? image.width() - half : 0;
+    const int y = leftRight ? 0 : image.height() - half;
+    // Both lie inside.
+    const auto first = crop(image, {0, 0, size});
+    const auto second = crop(image, {x, y, size});
+    return autocovariance(*first, lag).distance(autocovariance(*second, lag), lag);
+}
+
+} // namespace
+
+Result<CovarianceError> covarianceError(const Exemplar& exemplar, const Texton& texton) {
+    const Image& image = exemplar.image;
+    if (image.channels() != texton.channels())
+        return Error{ErrorCode::SizeMismatch, "exemplar and texton have other numbers of channels"};
+    const int shorter = std::min(image.width(), image.height());
+    if (shorter < kSmallest)
+        return Error{ErrorCode::SizeMismatch, "the exemplar is too small to compare its halves"};
+    const Size support = texton.support.size();
+    CovarianceError result;
+    result.lag = std::min(std::min(support.width, support.height) / 2, shorter / 2 - 1);
+    const auto own = autocovariance(image, result.lag);
+    const double norm = own.norm(result.lag);
+    if (!(norm > 0.0))
+        return Error{ErrorCode::Degenerate, "the exemplar is one flat colour"};
+    result.error = autocovariance(texton, result.lag).distance(own, result.lag) / norm;
+    const double across = betweenHalves(image, true, result.lag) / (2.0 * norm);
+    const double down = betweenHalves(image, false, result.lag) / (2.0 * norm);
+    result.floor = std::sqrt(0.5 * (across * across + down * down));
+    return result;
+}
+
+} // namespace txn

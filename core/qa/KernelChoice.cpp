@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/qa/KernelChoice.h"
+
+#include "core/gaussian/GaussianModel.h"
+#include "core/image/ImageGeometry.h"
+#include "core/qa/Autocovariance.h"
+#include "core/texton/ColorCorrection.h"
+
+#include <algorithm>
+
+namespace txn {
+namespace {
+
+constexpr double kAsGood = 1.05;
+constexpr int kMostForStacks = 4;
+
+} // namespace
+
+Result<int> chooseKernels(const Exemplar& exemplar,
+                          bool periodic,
+                          const LeastSquaresParams& params,
+                          const std::function<bool()>& observe) {
+    const Image& image = exemplar.image;
+    const Size support = params.support.size();
+    const bool leftRight = image.width() >= image.height();
+    const Size half = leftRight ? Size{image.width() / 2, image.height()}
+                                : Size{image.width(), image.height() / 2};
+    const int lag = std::min(support.width, support.height) / 2;
+    if (half.width < support.width || half.height < support.height)
+        return 1; // nothing to try on
+    auto training = crop(image, {0, 0, half});
+    const auto rest = crop(image, {image.width() - half.width, image.height() - half.height, half});
+    const GaussianModel model(Exemplar{std::move(*training), exemplar.name}, periodic);
+    const auto unseen = autocovariance(*rest, std::min(lag, std::min(half.width, half.height) - 1));
+
+    const int most = image.channels() > 3 ? std::min(image.channels(), kMostForStacks) : 2;
+    std::vector<double> errors;
+    for (int kernels = 1; kernels <= most; ++kernels) {
+        LeastSquaresParams trial = params;
+        trial.kernels = kernels;
+        const auto fitted = fitTexton(model, trial, [&](const LeastSquaresProgress&) {
+            return !observe || observe();
+        });
+        if (!fitted)
+            return fitted.error();
+        const Texton corrected = colorCorrected(*fitted, model.covariance());
+        errors.push_back(
+            autocovariance(corrected, unseen.maxLag()).distance(unseen, unseen.maxLag()));
+    }
+    const double best = *std::min_element(errors.begin(), errors.end());
+    const auto chosen = std::find_if(errors.begin(), errors.end(), [&](double error) {
+        return error <= kAsGood * best;
+    });
+    return static_cast<int>(chosen - errors.begin()) + 1;
+}
+
+} // namespace txn

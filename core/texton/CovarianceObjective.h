@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Random.h"
+#include "core/base/Result.h"
+#include "core/gaussian/GaussianModel.h"
+#include "core/spectral/Fft.h"
+#include "core/texton/Texton.h"
+
+#include <span>
+#include <vector>
+
+namespace txn {
+
+/// How far the covariance of Q kernels is from that of an exemplar, with its gradient: what
+/// LeastSquaresTexton minimises.
+///
+///     J = sum_k w(k) |C_alpha(k) - C_u(k)|^2 / sum_k w(k) |C_u(k)|^2
+///
+/// over the lags |k_x| < w, |k_y| < h of a w x h support, |.| the Frobenius norm of C x C matrices.
+/// C_u is the circular autocovariance of the model, C_alpha = sum_q (alpha_q * alpha_q~^T * b) that
+/// of the noise, w(k) = sqrt(w_x w_y), w_i = (1 + cos(pi k_i / r_i)) / 2. The variables are gamma,
+/// alpha_q = e gamma_q with e a Tukey taper of 20 % of the side at each end (of the radius for a
+/// disc), which leaves no energy on the border to be seen. All of it happens on a grid just large
+/// enough for lags not to wrap: the cost does not depend on the exemplar. Single precision, sums in
+/// double. Const use is thread-safe; evaluate() uses all cores of the calling task arena and gives
+/// the same bits for any number of them.
+class CovarianceObjective {
+  public:
+    struct Shape {
+        Support support = Support::rectangle({64, 64});
+        int interpolationOrder = 1;
+        int kernels = 1;
+    };
+
+    /// weights: factors on the channels inside the fit, one each, so that maps of different units
+    /// count alike; empty: 1. Errors: SizeMismatch if the support exceeds the model's domain or the
+    /// number of weights is wrong; InvalidArgument for parameters out of range; Degenerate for an
+    /// exemplar without variation.
+    [[nodiscard]] static Result<CovarianceObjective>
+    create(const GaussianModel& model, const Shape& shape, const std::vector<double>& weights);
+
+    /// Q * C * w * h: kernel after kernel, channel after channel, row after row.
+    std::size_t variables() const;
+
+    /// J at gamma; writes dJ/dgamma.
+    [[nodiscard]] double evaluate(std::span<const double> gamma, std::span<double> gradient) const;
+
+    /// White noise whose kernels have the exemplar's total variance.
+    [[nodiscard]] std::vector<double> start(Seed seed) const;
+
+    /// The kernels of gamma in the exemplar's own units, without colour correction.
+    [[nodiscard]] Texton texton(std::span<const double> gamma) const;
+
+  private:
+    CovarianceObjective(const GaussianModel& model,
+                        const Shape& shape,
+                        std::vector<double> weights);
+    void computeTarget(const GaussianModel& model);
+    void computeTaper();
+    std::vector<HalfSpectrum> spectra(std::span<const double> gamma) const;
+    std::size_t pairs() const;
+
+    Shape m_shape;
+    std::vector<double> m_weights;
+    std::vector<double> m_mean;
+    Transfer m_transfer;
+    RealFft2d m_fft;                          ///< of the K_x x K_y grid
+    std::vector<float> m_taper;               ///< e, w x h, zero outside the support
+    std::vector<float> m_lagWeights;          ///< w(k) on the grid, lag 0 first, negative ones last
+    std::vector<std::vector<float>> m_target; ///< C_u on the grid, for channels (i, j), j <= i
+    std::vector<float> m_splineX;             ///< b^ of the grid's columns, padded to whole blocks
+    std::vector<float> m_splineY;             ///< and of its rows
+    double m_targetNorm = 0.0;                ///< sum_k w(k) |C_u(k)|^2
+    double m_targetTrace = 0.0;               ///< total variance
+};
+
+} // namespace txn

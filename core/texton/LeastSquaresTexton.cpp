@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/texton/LeastSquaresTexton.h"
+
+#include "core/texton/CovarianceObjective.h"
+
+#include <lbfgs.h>
+
+namespace txn {
+namespace {
+
+constexpr int kMemory = 8;
+constexpr int kStop = 1; ///< any value but 0 ends lbfgs()
+
+struct Run {
+    const CovarianceObjective& objective;
+    const LeastSquaresParams& params;
+    const std::function<bool(const LeastSquaresProgress&)>& observe;
+    bool cancelled = false;
+};
+
+std::span<const double> values(const lbfgsfloatval_t* x, int n) {
+    return {x, static_cast<std::size_t>(n)};
+}
+
+lbfgsfloatval_t
+evaluate(void* instance, const lbfgsfloatval_t* x, lbfgsfloatval_t* g, int n, lbfgsfloatval_t) {
+    const auto& run = *static_cast<const Run*>(instance);
+    return run.objective.evaluate(values(x, n), {g, static_cast<std::size_t>(n)});
+}
+
+int progress(void* instance,
+             const lbfgsfloatval_t* x,
+             const lbfgsfloatval_t*,
+             lbfgsfloatval_t fx,
+             lbfgsfloatval_t,
+             lbfgsfloatval_t,
+             lbfgsfloatval_t,
+             int n,
+             int k,
+             int) {
+    auto& run = *static_cast<Run*>(instance);
+    if (!run.observe)
+        return 0;
+    const LeastSquaresProgress now{k, run.params.iterations, fx, [&] {
+                                       return run.objective.texton(values(x, n));
+                                   }};
+    run.cancelled = !run.observe(now);
+    return run.cancelled ? kStop : 0;
+}
+
+} // namespace
+
+Result<Texton> fitTexton(const GaussianModel& model,
+                         const LeastSquaresParams& params,
+                         const std::function<bool(const LeastSquaresProgress&)>& observe) {
+    if (params.iterations < 1 || params.iterations > 10000)
+        return Error{ErrorCode::InvalidArgument, "iterations must be between 1 and 10000"};
+    const auto objective =
+        CovarianceObjective::create(model,
+                                    {params.support, params.interpolationOrder, params.kernels},
+                                    params.channelWeights);
+    if (!objective)
+        return objective.error();
+
+    std::vector<double> gamma = objective->start(params.seed);
+    lbfgs_parameter_t settings;
+    lbfgs_parameter_init(&settings);
+    settings.m = kMemory;
+    settings.max_iterations = params.iterations;
+    // Single precision has no more to give.
+    settings.epsilon = 1e-7;
+    settings.past = 3;
+    settings.delta = 1e-5;
+    Run run{*objective, params, observe};
+    // Whatever else ends it (no step gets any lower: rounding errors), gamma holds the best values.
+    lbfgs(static_cast<int>(gamma.size()),
+          gamma.data(),
+          nullptr,
+          evaluate,
+          progress,
+          &run,
+          &settings);
+    if (run.cancelled)
+        return Error{ErrorCode::Cancelled, "cancelled"};
+    return objective->texton(gamma);
+}
+
+} // namespace txn

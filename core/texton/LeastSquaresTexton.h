@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Random.h"
+#include "core/base/Result.h"
+#include "core/gaussian/GaussianModel.h"
+#include "core/texton/Texton.h"
+
+#include <functional>
+#include <vector>
+
+namespace txn {
+
+/// How a texton is fitted to an exemplar's covariance.
+struct LeastSquaresParams {
+    Support support = Support::rectangle({64, 64});
+    int interpolationOrder = 1; ///< 0, 1, 3 or 5
+    int kernels = 1;            ///< Q, 1 to 16
+    int iterations = 80;        ///< 1 to 10000; fewer where nothing gets better any more
+    Seed seed;
+    /// Factors on the channels inside the fit; empty: 1. For maps of different units, such as
+    /// 1 / max(standard deviation, 1/255).
+    std::vector<double> channelWeights;
+
+    bool operator==(const LeastSquaresParams&) const = default;
+};
+
+/// What is known after an iteration of a fit.
+struct LeastSquaresProgress {
+    int iteration = 0;
+    int iterations = 0;
+    double objective = 0.0; ///< J of CovarianceObjective: 0 is a perfect fit
+    /// The texton as it is now, without colour correction. Costs a copy.
+    std::function<Texton()> texton;
+};
+
+/// Kernels whose noise has the exemplar's covariance up to lags of the support, by least squares:
+/// L-BFGS (memory 8) on CovarianceObjective from tapered white noise. Several kernels follow a
+/// covariance whose channels move independently, which one cannot. observe is called after every
+/// iteration and ends the fit by giving false. Uses all cores of the calling task arena; the same
+/// bits for any number of them. Thread-safe.
+/// Errors: those of CovarianceObjective::create; InvalidArgument for iterations out of range;
+/// Cancelled.
+[[nodiscard]] Result<Texton>
+fitTexton(const GaussianModel& model,
+          const LeastSquaresParams& params,
+          const std::function<bool(const LeastSquaresProgress&)>& observe = {});
+
+} // namespace txn
