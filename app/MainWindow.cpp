@@ -222,13 +222,7 @@ void MainWindow::toggleDocks() {
 
 void MainWindow::focusNextPart() {
     std::vector<QWidget*> parts{m_views};
-    for (const char* id : {"exemplarDock",
-                           "textonDock",
-                           "noiseDock",
-                           "spectrumDock",
-                           "histogramDock",
-                           "historyDock",
-                           "jobsDock"}) {
+    for (const char* id : kDockOrder) {
         QDockWidget* dock = m_docks.at(QLatin1String(id));
         if (dock->isVisible() && !dock->visibleRegion().isEmpty())
             parts.push_back(dock->widget());

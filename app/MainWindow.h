@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <array>
 #include <functional>
 #include <map>
 
@@ -49,6 +50,15 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    /// As in the window: what goes in, what can be tuned, what is looked at.
+    static constexpr std::array kDockOrder{"exemplarDock",
+                                           "textonDock",
+                                           "noiseDock",
+                                           "spectrumDock",
+                                           "histogramDock",
+                                           "historyDock",
+                                           "jobsDock"};
+
     void createDocks();
     void createStatusBar();
     void createActions();

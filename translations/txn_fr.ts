@@ -86,7 +86,7 @@
     <name>txn::app::ActionRegistry</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -112,7 +112,7 @@
     </message>
     <message>
         <source>After (hold for before)</source>
-        <translation>Après (tenir : avant)</translation>
+        <translation>Après (tenir&#xa0;: avant)</translation>
     </message>
 </context>
 <context>
@@ -1482,15 +1482,15 @@
     </message>
     <message>
         <source>What draws the noise: %1</source>
-        <translation>Ce qui dessine le bruit : %1</translation>
+        <translation>Ce qui dessine le bruit&#xa0;: %1</translation>
     </message>
     <message>
         <source>How the pictures are shown: screen pixels for each pixel of the photo, exposure, channel.</source>
-        <translation>Affichage des images : pixels d&apos;écran pour chaque pixel de la photo, exposition, canal.</translation>
+        <translation>Affichage des images&#xa0;: pixels d&apos;écran pour chaque pixel de la photo, exposition, canal.</translation>
     </message>
     <message>
         <source>Zoom %1 %</source>
-        <translation>Zoom %1 %</translation>
+        <translation>Zoom %1&#xa0;%</translation>
     </message>
     <message>
         <source>exposure %1%2</source>
@@ -1502,7 +1502,7 @@
     </message>
     <message>
         <source>Stop the export?</source>
-        <translation>Arrêter l&apos;export ?</translation>
+        <translation>Arrêter l&apos;export&#xa0;?</translation>
     </message>
     <message>
         <source>An export is still being written.</source>
