@@ -12,19 +12,6 @@
 namespace txn {
 namespace {
 
-/// Smallest product of 2, 3, 5 and 7 that is at least n: fast to transform.
-int fastLength(int n) {
-    for (;; ++n) {
-        int rest = n;
-        for (const int p : {2, 3, 5, 7}) {
-            while (rest % p == 0)
-                rest /= p;
-        }
-        if (rest == 1)
-            return n;
-    }
-}
-
 /// Sums over n of u_i(n + lag) u_j(n) for images that are zero outside, by FFT.
 class Correlator {
   public:

@@ -12,6 +12,9 @@ namespace txn {
 
 using Complex = std::complex<float>;
 
+/// Smallest product of 2, 3, 5 and 7 that is at least n: fast to transform.
+[[nodiscard]] int fastLength(int n);
+
 /// One-dimensional transform of a fixed length, single precision, unnormalised both ways. Planned
 /// with FFTW_ESTIMATE, so that equal input gives equal bytes on every run. Planning takes a global
 /// lock; running does not and may happen on many threads at once, on buffers aligned to 64 bytes.

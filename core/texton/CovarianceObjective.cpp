@@ -18,19 +18,6 @@ namespace {
 constexpr double kTaperShare = 0.2;
 constexpr int kMaxKernels = 16;
 
-/// Smallest product of 2, 3 and 5 that is at least n: fast to transform.
-int fastLength(int n) {
-    for (;; ++n) {
-        int rest = n;
-        for (const int p : {2, 3, 5}) {
-            while (rest % p == 0)
-                rest /= p;
-        }
-        if (rest == 1)
-            return n;
-    }
-}
-
 /// The grid on which autocorrelations of the support, widened by b, do not wrap.
 Size gridFor(const CovarianceObjective::Shape& shape) {
     const Size size = shape.support.size();

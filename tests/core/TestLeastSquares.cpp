@@ -24,6 +24,12 @@ CovarianceObjective objectiveOf(const GaussianModel& model,
     return *CovarianceObjective::create(model, shape, weights);
 }
 
+Support supportOf(const QString& shape) {
+    if (shape == "disc")
+        return Support::disc(8);
+    return Support::rectangle(shape == "odd" ? Size{16, 16} : Size{9, 6});
+}
+
 /// Circular autocovariance of the model at one lag, by its definition: the spot back on the domain,
 /// then the sum of products.
 double
@@ -99,23 +105,24 @@ class TestLeastSquares : public QObject {
         QTest::addColumn<int>("order");
         QTest::addColumn<int>("kernels");
         QTest::addColumn<int>("channels");
-        QTest::addColumn<bool>("disc");
+        QTest::addColumn<QString>("shape");
         for (const int order : {0, 1, 3, 5}) {
             for (const int kernels : {1, 3}) {
                 for (const int channels : {1, 3})
                     QTest::addRow("order %d, Q %d, C %d", order, kernels, channels)
-                        << order << kernels << channels << false;
+                        << order << kernels << channels << "rectangle";
             }
         }
-        QTest::newRow("disc") << 1 << 2 << 2 << true;
+        QTest::newRow("disc") << 1 << 2 << 2 << "disc";
+        QTest::newRow("odd grid") << 1 << 2 << 2 << "odd"; // 34 lags, of which 35 points are made
     }
     void theObjectiveIsItsDefinition() {
         QFETCH(int, order);
         QFETCH(int, kernels);
         QFETCH(int, channels);
-        QFETCH(bool, disc);
+        QFETCH(QString, shape);
         const GaussianModel model = texturedModel({26, 21}, channels, 5);
-        const Support support = disc ? Support::disc(8) : Support::rectangle({9, 6});
+        const Support support = supportOf(shape);
         const auto objective = objectiveOf(model, {support, order, kernels});
         const auto gamma = objective.start(Seed{3});
         std::vector<double> gradient(objective.variables());
@@ -130,9 +137,9 @@ class TestLeastSquares : public QObject {
         QFETCH(int, order);
         QFETCH(int, kernels);
         QFETCH(int, channels);
-        QFETCH(bool, disc);
+        QFETCH(QString, shape);
         const GaussianModel model = texturedModel({26, 21}, channels, 6);
-        const Support support = disc ? Support::disc(8) : Support::rectangle({9, 6});
+        const Support support = supportOf(shape);
         const auto objective = objectiveOf(model, {support, order, kernels});
         const auto gamma = objective.start(Seed{4});
         std::vector<double> gradient(objective.variables());
