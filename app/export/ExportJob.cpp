@@ -7,7 +7,6 @@
 #include "core/export/Exporter.h"
 
 #include <QBuffer>
-#include <QElapsedTimer>
 #include <QFile>
 
 namespace txn::app {
@@ -112,8 +111,6 @@ Result<void> writeEngine(const QStringList& files,
 
 Result<ExportReport>
 runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& context) {
-    QElapsedTimer watch;
-    watch.start();
     ExportReport report;
     report.files = exportFiles(plan, snapshot);
     if (context.cancelled())
@@ -139,7 +136,6 @@ runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& co
     }
     if (!done)
         return done.error();
-    report.seconds = static_cast<double>(watch.elapsed()) / 1000.0;
     return report;
 }
 

@@ -9,7 +9,6 @@ namespace txn::app {
 struct ExportReport {
     QStringList files;
     double clippedShare = 0.0;
-    double seconds = 0.0;
 };
 
 /// Writes the files of exportFiles(plan, snapshot); they appear when they are whole. Errors: those

@@ -70,7 +70,7 @@ QCborMap readWrapper(const QString& path) {
 } // namespace
 
 Autosave::Autosave(ProjectDocument& document, JobRunner& runner, const QString& folder, int delayMs)
-    : m_document(document), m_runner(runner), m_folder(folder) {
+    : m_document(document), m_runner(runner) {
     QDir().mkpath(folder);
     m_file = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
     m_lock = lockOf(m_file);

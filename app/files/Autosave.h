@@ -53,7 +53,6 @@ class Autosave : public QObject {
 
     ProjectDocument& m_document;
     JobRunner& m_runner;
-    QString m_folder;
     QString m_file;
     std::unique_ptr<QLockFile> m_lock; ///< held while this program lives
     /// Tells a job that still writes: what it wrote is to go again.

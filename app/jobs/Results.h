@@ -47,7 +47,6 @@ struct TextonResult {
     int iteration = 0;
     int iterations = 0;
     double relativeModelError = 0.0;
-    double seconds = 0.0;
     bool finished = false;
     bool imported = false; ///< came from a file: there is no curve and no error
 };

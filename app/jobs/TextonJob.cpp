@@ -19,7 +19,7 @@ std::shared_ptr<TextonResult> toResult(Texton texton) {
     // One pixel of the picture per coefficient, whatever the limit.
     PicturePyramid picture(textonPicture(texton, {0, 0}));
     return std::make_shared<TextonResult>(
-        TextonResult{std::move(texton), std::move(picture), {}, 0, 0, 0.0, 0.0, false, false});
+        TextonResult{std::move(texton), std::move(picture), {}, 0, 0, 0.0, false, false});
 }
 
 } // namespace
@@ -54,7 +54,6 @@ computeTexton(const ExemplarResult& exemplar,
         made->relativeModelError = settings.colorCorrection
                                        ? solver->relativeModelError(made->texton)
                                        : curve.back().relativeModelError;
-        made->seconds = static_cast<double>(watch.elapsed()) / 1000.0;
         made->finished = solver->done();
         return made;
     };

@@ -75,10 +75,6 @@ void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
     m_settings.setValue(QStringLiteral("window/geometry"), geometry);
     m_settings.setValue(QStringLiteral("window/state"), state);
 }
-void Settings::clearWindow() {
-    m_settings.remove(QStringLiteral("window"));
-}
-
 QString Settings::shortcut(const QString& action, const QString& standard) const {
     return m_settings.value(QStringLiteral("shortcuts/") + action, standard).toString();
 }

@@ -36,7 +36,6 @@ class Settings {
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
-    void clearWindow();
 
     /// Shortcuts that differ from the default, by the action's id.
     QString shortcut(const QString& action, const QString& standard) const;

@@ -47,12 +47,6 @@ void ValueSlider::setValue(double value) {
         showValue();
 }
 
-void ValueSlider::setRange(const Range& range) {
-    m_range = range;
-    m_track->update();
-    showValue();
-}
-
 void ValueSlider::showValue() {
     QString text = QLocale().toString(m_value, 'f', m_range.decimals);
     if (!m_range.unit.isEmpty())

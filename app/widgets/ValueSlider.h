@@ -38,7 +38,6 @@ class ValueSlider : public QWidget {
     double value() const { return m_value; }
     /// Shows a value without telling anybody.
     void setValue(double value);
-    void setRange(const Range& range);
     const Range& range() const { return m_range; }
 
   signals:
