@@ -67,7 +67,12 @@ double directly(const GaussianModel& model, const Texton& texton) {
     const auto own = autocovariance(texton, std::max(side.width, side.height));
     const auto spot = spotOf(model);
     const auto weight = [](int lag, int size) {
-        return 0.5 * (1.0 + std::cos(std::numbers::pi * std::abs(lag) / size));
+        const double share = std::abs(lag) / (0.7 * size);
+        return share < 1.0 ? 0.5 * (1.0 + std::cos(std::numbers::pi * share)) : 0.0;
+    };
+    const Size domain = model.domain();
+    const auto trust = [](int lag, int length) {
+        return std::sqrt(1.0 - static_cast<double>(std::abs(lag)) / length);
     };
     double sum = 0.0;
     double norm = 0.0;
@@ -76,7 +81,8 @@ double directly(const GaussianModel& model, const Texton& texton) {
             const double w = std::sqrt(weight(dx, side.width) * weight(dy, side.height));
             for (int i = 0; i < model.channels(); ++i) {
                 for (int j = 0; j < model.channels(); ++j) {
-                    const double target = circular(spot, model.domain(), i, j, dx, dy);
+                    const double target = trust(dx, domain.width) * trust(dy, domain.height) *
+                                          circular(spot, domain, i, j, dx, dy);
                     const double difference = own.at(i, j, dx, dy) - target;
                     sum += w * difference * difference;
                     norm += w * target * target;
