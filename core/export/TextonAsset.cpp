@@ -110,7 +110,7 @@ Result<Description> parseDescription(const Json& json) {
     long long channels = 0;
     long long width = 0;
     long long height = 0;
-    if (!readInt(json, "channels", 1, Exemplar::kMaxChannels, channels))
+    if (!readInt(json, "channels", 1, kMaxChannels, channels))
         return broken("channels");
     if (!readInt(json, "kernels", 1, kMaxKernels, number))
         return broken("kernels");

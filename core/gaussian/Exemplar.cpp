@@ -6,14 +6,17 @@
 
 namespace txn {
 
-Result<Exemplar> makeExemplar(Image image, std::string name) {
+Result<Exemplar> makeExemplar(Image image, std::string name, MaterialMaps maps) {
     if (image.empty())
         return Error{ErrorCode::InvalidArgument, "'" + name + "' holds no pixels"};
-    if (image.channels() > Exemplar::kMaxChannels)
+    if (image.channels() > kMaxChannels)
         return Error{ErrorCode::Unsupported,
                      "'" + name + "' has " + std::to_string(image.channels()) +
-                         " channels; at most " + std::to_string(Exemplar::kMaxChannels) +
+                         " channels; at most " + std::to_string(kMaxChannels) +
                          " can be used"};
+    if (!maps.empty() && channelCount(maps) != image.channels())
+        return Error{ErrorCode::SizeMismatch,
+                     "the maps of '" + name + "' do not have its number of channels"};
     const auto samples = image.samples();
     const auto bad = std::find_if(samples.begin(), samples.end(), [](float v) {
         return !(std::abs(v) <= Exemplar::kLargestSample); // catches NaN, too
@@ -26,7 +29,7 @@ Result<Exemplar> makeExemplar(Image image, std::string name) {
                          std::to_string(pixel % width) + ", y " + std::to_string(pixel / width) +
                          "; repair the picture or crop that part away"};
     }
-    return Exemplar{std::move(image), std::move(name)};
+    return Exemplar{std::move(image), std::move(name), std::move(maps)};
 }
 
 } // namespace txn

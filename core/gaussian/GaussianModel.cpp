@@ -25,7 +25,8 @@ void scaleAndDropMean(HalfSpectrum& spectrum, float scale) {
 } // namespace
 
 GaussianModel::GaussianModel(const Exemplar& exemplar, bool periodic)
-    : m_domain(exemplar.image.size()), m_transfer(exemplar.image.transfer()) {
+    : m_periodicComponent(periodic), m_domain(exemplar.image.size()),
+      m_transfer(exemplar.image.transfer()) {
     const RealFft2d fft(m_domain);
     const auto scale = static_cast<float>(1.0 / std::sqrt(static_cast<double>(m_domain.area())));
     for (int c = 0; c < exemplar.image.channels(); ++c) {

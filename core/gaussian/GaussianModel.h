@@ -20,6 +20,8 @@ class GaussianModel {
     /// From a spot given directly: H x W x C, its mean need not be zero and does not count.
     GaussianModel(const Image& spot, std::vector<double> mean);
 
+    /// Whether it is that of an exemplar's periodic component.
+    bool isPeriodicComponent() const { return m_periodicComponent; }
     Size domain() const { return m_domain; }
     int channels() const { return static_cast<int>(m_mean.size()); }
     Transfer transfer() const { return m_transfer; }
@@ -34,6 +36,7 @@ class GaussianModel {
   private:
     void computeCovariance();
 
+    bool m_periodicComponent = false;
     Size m_domain;
     Transfer m_transfer = Transfer::Encoded;
     std::vector<double> m_mean;

@@ -90,6 +90,23 @@ std::size_t Autocovariance::index(int i, int j, int dx, int dy) const {
            static_cast<std::size_t>(dx + m_maxLag);
 }
 
+Autocovariance Autocovariance::weighted(const std::vector<double>& weights) const {
+    assert(weights.size() == static_cast<std::size_t>(m_channels));
+    Autocovariance result = *this;
+    for (int i = 0; i < m_channels; ++i) {
+        for (int j = 0; j < m_channels; ++j) {
+            const double factor =
+                weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)];
+            const auto begin =
+                result.m_values.begin() + static_cast<std::ptrdiff_t>(index(i, j, -m_maxLag, -m_maxLag));
+            const auto end =
+                result.m_values.begin() + static_cast<std::ptrdiff_t>(index(i, j, m_maxLag, m_maxLag)) + 1;
+            std::for_each(begin, end, [factor](double& v) { v *= factor; });
+        }
+    }
+    return result;
+}
+
 double Autocovariance::norm(int lag) const {
     assert(lag <= m_maxLag);
     double sum = 0.0;

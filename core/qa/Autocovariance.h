@@ -19,6 +19,9 @@ class Autocovariance {
     double& at(int i, int j, int dx, int dy) { return m_values[index(i, j, dx, dy)]; }
     double at(int i, int j, int dx, int dy) const { return m_values[index(i, j, dx, dy)]; }
 
+    /// Of the channels times these factors, one each.
+    [[nodiscard]] Autocovariance weighted(const std::vector<double>& weights) const;
+
     /// Root of the sum of squares over channels and lags up to the given one in size.
     [[nodiscard]] double norm(int lag) const;
     /// Norm of the difference; both of equal channels, and lag within both.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/qa/CovarianceError.h"
 
+#include "core/gaussian/ChannelWeights.h"
 #include "core/image/ImageGeometry.h"
 #include "core/qa/Autocovariance.h"
 
@@ -13,7 +14,10 @@ namespace {
 constexpr int kSmallest = 4;
 
 /// |C_1 - C_2| of the two halves.
-double betweenHalves(const Image& image, bool leftRight, int lag) {
+double betweenHalves(const Image& image,
+                     bool leftRight,
+                     int lag,
+                     const std::vector<double>& weights) {
     const int half = leftRight ? image.width() / 2 : image.height() / 2;
     const Size size = leftRight ? Size{half, image.height()} : Size{image.width(), half};
     const int x = leftRight ? image.width() - half : 0;
@@ -21,10 +25,24 @@ double betweenHalves(const Image& image, bool leftRight, int lag) {
     // Both lie inside.
     const auto first = crop(image, {0, 0, size});
     const auto second = crop(image, {x, y, size});
-    return autocovariance(*first, lag).distance(autocovariance(*second, lag), lag);
+    return autocovariance(*first, lag)
+        .weighted(weights)
+        .distance(autocovariance(*second, lag).weighted(weights), lag);
+}
+
+double floorOf(const Image& image, int lag, const std::vector<double>& weights, double norm) {
+    const double across = betweenHalves(image, true, lag, weights) / (2.0 * norm);
+    const double down = betweenHalves(image, false, lag, weights) / (2.0 * norm);
+    return std::sqrt(0.5 * (across * across + down * down));
 }
 
 } // namespace
+
+double covarianceErrorFloor(const Exemplar& exemplar, int lag) {
+    const auto weights = channelWeights(exemplar);
+    const double norm = autocovariance(exemplar.image, lag).weighted(weights).norm(lag);
+    return floorOf(exemplar.image, lag, weights, norm);
+}
 
 Result<CovarianceError> covarianceError(const Exemplar& exemplar, const Texton& texton) {
     const Image& image = exemplar.image;
@@ -34,16 +52,16 @@ Result<CovarianceError> covarianceError(const Exemplar& exemplar, const Texton& 
     if (shorter < kSmallest)
         return Error{ErrorCode::SizeMismatch, "the exemplar is too small to compare its halves"};
     const Size support = texton.support.size();
+    const auto weights = channelWeights(exemplar);
     CovarianceError result;
     result.lag = std::min(std::min(support.width, support.height) / 2, shorter / 2 - 1);
-    const auto own = autocovariance(image, result.lag);
+    const auto own = autocovariance(image, result.lag).weighted(weights);
     const double norm = own.norm(result.lag);
     if (!(norm > 0.0))
         return Error{ErrorCode::Degenerate, "the exemplar is one flat colour"};
-    result.error = autocovariance(texton, result.lag).distance(own, result.lag) / norm;
-    const double across = betweenHalves(image, true, result.lag) / (2.0 * norm);
-    const double down = betweenHalves(image, false, result.lag) / (2.0 * norm);
-    result.floor = std::sqrt(0.5 * (across * across + down * down));
+    result.error =
+        autocovariance(texton, result.lag).weighted(weights).distance(own, result.lag) / norm;
+    result.floor = floorOf(image, result.lag, weights, norm);
     return result;
 }
 

@@ -16,10 +16,15 @@ constexpr int kMostForStacks = 4;
 
 } // namespace
 
+int mostTrialKernels(int channels) {
+    return channels > 3 ? std::min(channels, kMostForStacks) : 2;
+}
+
 Result<int> chooseKernels(const Exemplar& exemplar,
                           bool periodic,
                           const LeastSquaresParams& params,
-                          const std::function<bool()>& observe) {
+                          const KernelTrialObserver& observe,
+                          const CancelToken& cancel) {
     const Image& image = exemplar.image;
     const Size support = params.support.size();
     const bool leftRight = image.width() >= image.height();
@@ -33,19 +38,28 @@ Result<int> chooseKernels(const Exemplar& exemplar,
     const GaussianModel model(Exemplar{std::move(*training), exemplar.name}, periodic);
     const auto unseen = autocovariance(*rest, std::min(lag, std::min(half.width, half.height) - 1));
 
-    const int most = image.channels() > 3 ? std::min(image.channels(), kMostForStacks) : 2;
+    const auto weighted = [&](const Autocovariance& covariance) {
+        return params.channelWeights.empty() ? covariance
+                                             : covariance.weighted(params.channelWeights);
+    };
+    const auto target = weighted(unseen);
     std::vector<double> errors;
-    for (int kernels = 1; kernels <= most; ++kernels) {
+    for (int kernels = 1; kernels <= mostTrialKernels(image.channels()); ++kernels) {
         LeastSquaresParams trial = params;
         trial.kernels = kernels;
-        const auto fitted = fitTexton(model, trial, [&](const LeastSquaresProgress&) {
-            return !observe || observe();
-        });
+        const auto fitted = fitTexton(
+            model,
+            trial,
+            [&](const TextonProgress& now) {
+                if (observe)
+                    observe(kernels, now);
+            },
+            cancel);
         if (!fitted)
             return fitted.error();
         const Texton corrected = colorCorrected(*fitted, model.covariance());
-        errors.push_back(
-            autocovariance(corrected, unseen.maxLag()).distance(unseen, unseen.maxLag()));
+        errors.push_back(weighted(autocovariance(corrected, target.maxLag()))
+                             .distance(target, target.maxLag()));
     }
     const double best = *std::min_element(errors.begin(), errors.end());
     const auto chosen = std::find_if(errors.begin(), errors.end(), [&](double error) {

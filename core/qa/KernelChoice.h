@@ -7,15 +7,21 @@
 
 namespace txn {
 
+/// The most kernels that are tried for so many channels.
+[[nodiscard]] int mostTrialKernels(int channels);
+
+using KernelTrialObserver = std::function<void(int kernels, const TextonProgress&)>;
+
 /// The number of kernels by a trial: fits 1, 2 and, for more than three channels, up to
 /// min(channels, 4) of them on one half of the exemplar (cut across its longer side) and takes the
 /// fewest within 5 % of the best error on the other half. 1 where half of the exemplar is smaller
-/// than the support. observe is asked now and then whether to go on. Uses all cores of the calling
-/// task arena.
+/// than the support. Errors count channels by params.channelWeights. observe hears of every
+/// iteration of every trial and of its number of kernels. Uses all cores of the calling task arena.
 /// Errors: those of fitTexton; Degenerate for a half without variation; Cancelled.
 [[nodiscard]] Result<int> chooseKernels(const Exemplar& exemplar,
                                         bool periodic,
                                         const LeastSquaresParams& params,
-                                        const std::function<bool()>& observe = {});
+                                        const KernelTrialObserver& observe = {},
+                                        const CancelToken& cancel = {});
 
 } // namespace txn

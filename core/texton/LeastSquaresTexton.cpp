@@ -3,7 +3,10 @@
 
 #include "core/texton/CovarianceObjective.h"
 
+#include <algorithm>
+#include <cmath>
 #include <lbfgs.h>
+#include <limits>
 
 namespace txn {
 namespace {
@@ -14,8 +17,8 @@ constexpr int kStop = 1; ///< any value but 0 ends lbfgs()
 struct Run {
     const CovarianceObjective& objective;
     const LeastSquaresParams& params;
-    const std::function<bool(const LeastSquaresProgress&)>& observe;
-    bool cancelled = false;
+    const TextonObserver& observe;
+    const CancelToken& cancel;
 };
 
 std::span<const double> values(const lbfgsfloatval_t* x, int n) {
@@ -25,6 +28,10 @@ std::span<const double> values(const lbfgsfloatval_t* x, int n) {
 lbfgsfloatval_t
 evaluate(void* instance, const lbfgsfloatval_t* x, lbfgsfloatval_t* g, int n, lbfgsfloatval_t) {
     const auto& run = *static_cast<const Run*>(instance);
+    if (run.cancel.cancelled()) { // the line search has no way out but giving up
+        std::fill_n(g, n, 0.0);
+        return std::numeric_limits<double>::infinity();
+    }
     return run.objective.evaluate(values(x, n), {g, static_cast<std::size_t>(n)});
 }
 
@@ -38,21 +45,21 @@ int progress(void* instance,
              int n,
              int k,
              int) {
-    auto& run = *static_cast<Run*>(instance);
-    if (!run.observe)
-        return 0;
-    const LeastSquaresProgress now{k, run.params.iterations, fx, [&] {
-                                       return run.objective.texton(values(x, n));
-                                   }};
-    run.cancelled = !run.observe(now);
-    return run.cancelled ? kStop : 0;
+    const auto& run = *static_cast<const Run*>(instance);
+    if (run.observe && !run.cancel.cancelled())
+        run.observe({k,
+                     run.params.iterations,
+                     [&] { return std::sqrt(fx); },
+                     [&] { return run.objective.texton(values(x, n)); }});
+    return run.cancel.cancelled() ? kStop : 0;
 }
 
 } // namespace
 
 Result<Texton> fitTexton(const GaussianModel& model,
                          const LeastSquaresParams& params,
-                         const std::function<bool(const LeastSquaresProgress&)>& observe) {
+                         const TextonObserver& observe,
+                         const CancelToken& cancel) {
     if (params.iterations < 1 || params.iterations > 10000)
         return Error{ErrorCode::InvalidArgument, "iterations must be between 1 and 10000"};
     const auto objective =
@@ -71,7 +78,7 @@ Result<Texton> fitTexton(const GaussianModel& model,
     settings.epsilon = 1e-7;
     settings.past = 3;
     settings.delta = 1e-5;
-    Run run{*objective, params, observe};
+    Run run{*objective, params, observe, cancel};
     // Whatever else ends it (no step gets any lower: rounding errors), gamma holds the best values.
     lbfgs(static_cast<int>(gamma.size()),
           gamma.data(),
@@ -80,7 +87,7 @@ Result<Texton> fitTexton(const GaussianModel& model,
           progress,
           &run,
           &settings);
-    if (run.cancelled)
+    if (cancel.cancelled())
         return Error{ErrorCode::Cancelled, "cancelled"};
     return objective->texton(gamma);
 }

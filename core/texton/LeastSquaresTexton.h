@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/CancelToken.h"
 #include "core/base/Random.h"
 #include "core/base/Result.h"
 #include "core/gaussian/GaussianModel.h"
-#include "core/texton/Texton.h"
+#include "core/texton/TextonProgress.h"
 
-#include <functional>
 #include <vector>
 
 namespace txn {
@@ -25,25 +25,16 @@ struct LeastSquaresParams {
     bool operator==(const LeastSquaresParams&) const = default;
 };
 
-/// What is known after an iteration of a fit.
-struct LeastSquaresProgress {
-    int iteration = 0;
-    int iterations = 0;
-    double objective = 0.0; ///< J of CovarianceObjective: 0 is a perfect fit
-    /// The texton as it is now, without colour correction. Costs a copy.
-    std::function<Texton()> texton;
-};
-
 /// Kernels whose noise has the exemplar's covariance up to lags of the support, by least squares:
 /// L-BFGS (memory 8) on CovarianceObjective from tapered white noise. Several kernels follow a
-/// covariance whose channels move independently, which one cannot. observe is called after every
-/// iteration and ends the fit by giving false. Uses all cores of the calling task arena; the same
-/// bits for any number of them. Thread-safe.
+/// covariance whose channels move independently, which one cannot. Asks cancel at every evaluation.
+/// Uses all cores of the calling task arena; the same bits for any number of them. Thread-safe.
 /// Errors: those of CovarianceObjective::create; InvalidArgument for iterations out of range;
 /// Cancelled.
 [[nodiscard]] Result<Texton>
 fitTexton(const GaussianModel& model,
           const LeastSquaresParams& params,
-          const std::function<bool(const LeastSquaresProgress&)>& observe = {});
+          const TextonObserver& observe = {},
+          const CancelToken& cancel = {});
 
 } // namespace txn

@@ -20,6 +20,20 @@ Exemplar noiseOf(const Texton& texton, Size size, std::uint32_t seed) {
     return exemplarOf(*NoiseGrid::create(texton, params, 1.0)->render({0, 0, size}));
 }
 
+/// Channels of noise of one smooth kernel, each with impulses of its own.
+Exemplar independentChannels(Size size, int channels) {
+    TextonRecipe recipe;
+    recipe.channels = 1;
+    recipe.offset = 1.0;
+    const Texton texton = makeTexton(recipe);
+    Image image(size, channels);
+    for (int c = 0; c < channels; ++c) {
+        const auto one = noiseOf(texton, size, static_cast<std::uint32_t>(c + 1));
+        std::ranges::copy(one.image.plane(0), image.plane(c).begin());
+    }
+    return exemplarOf(std::move(image));
+}
+
 Texton truth(int kernels, int channels) {
     TextonRecipe recipe;
     recipe.kernels = kernels;
@@ -115,7 +129,7 @@ class TestCovarianceError : public QObject {
         LeastSquaresParams params;
         params.support = Support::rectangle({16, 16});
         for (const Size size : {Size{160, 120}, Size{120, 160}}) {
-            const auto chosen = chooseKernels(exemplarOf(randomImage(size, 2, 5)), true, params);
+            const auto chosen = chooseKernels(independentChannels(size, 3), true, params);
             TXN_OK(chosen);
             QCOMPARE(*chosen, 2);
         }
@@ -123,10 +137,10 @@ class TestCovarianceError : public QObject {
 
     void stacksMayNeedMore() {
         LeastSquaresParams params;
-        params.support = Support::rectangle({10, 10});
-        const auto chosen = chooseKernels(exemplarOf(randomImage({120, 90}, 5, 5)), true, params);
+        params.support = Support::rectangle({16, 16});
+        const auto chosen = chooseKernels(independentChannels({160, 120}, 6), true, params);
         TXN_OK(chosen);
-        QCOMPARE(*chosen, 4);
+        QVERIFY(*chosen >= 3);
     }
 
     void withoutAHalfToTryOnItIsOne() {
@@ -141,10 +155,17 @@ class TestCovarianceError : public QObject {
         LeastSquaresParams params;
         params.support = Support::rectangle({16, 16});
         int calls = 0;
-        const auto chosen =
-            chooseKernels(exemplarOf(randomImage({160, 120}, 2, 5)), true, params, [&] {
-                return ++calls < 5;
-            });
+        CancelSource source;
+        const auto chosen = chooseKernels(
+            exemplarOf(randomImage({160, 120}, 2, 5)),
+            true,
+            params,
+            [&](int kernels, const TextonProgress&) {
+                calls += kernels; // of the first trial
+                if (calls == 5)
+                    source.cancel();
+            },
+            source.token());
         TXN_FAILS_WITH(chosen, ErrorCode::Cancelled);
         QCOMPARE(calls, 5);
     }

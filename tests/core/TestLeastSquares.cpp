@@ -202,9 +202,8 @@ class TestLeastSquares : public QObject {
         params.support = Support::rectangle({20, 20});
         params.kernels = kernels;
         double objective = 1.0;
-        const auto fitted = fitTexton(model, params, [&](const LeastSquaresProgress& now) {
-            objective = now.objective;
-            return true;
+        const auto fitted = fitTexton(model, params, [&](const TextonProgress& now) {
+            objective = now.error() * now.error();
         });
         TXN_OK(fitted);
         QCOMPARE(fitted->kernelCount(), kernels);
@@ -225,10 +224,7 @@ class TestLeastSquares : public QObject {
         params.support = Support::rectangle({12, 12});
         double last = 0.0;
         double one = 0.0;
-        const auto note = [&](const LeastSquaresProgress& now) {
-            last = now.objective;
-            return true;
-        };
+        const auto note = [&](const TextonProgress& now) { last = now.error() * now.error(); };
         TXN_OK(fitTexton(model, params, note));
         one = last;
         params.kernels = 2;
@@ -243,13 +239,16 @@ class TestLeastSquares : public QObject {
         params.kernels = 2;
         params.iterations = 30;
         std::vector<double> values;
+        bool inOrder = true;
         Texton seen;
-        const auto fitted = fitTexton(model, params, [&](const LeastSquaresProgress& now) {
-            values.push_back(now.objective);
+        const auto fitted = fitTexton(model, params, [&](const TextonProgress& now) {
+            values.push_back(now.error());
             seen = now.texton();
-            return now.iterations == 30 && now.iteration == static_cast<int>(values.size());
+            inOrder = inOrder && now.iterations == 30 &&
+                      now.iteration == static_cast<int>(values.size());
         });
         TXN_OK(fitted);
+        QVERIFY(inOrder);
         QVERIFY(!values.empty() && values.size() <= 30);
         for (std::size_t i = 1; i < values.size(); ++i)
             TXN_AT_MOST(values[i], values[i - 1]);
@@ -276,8 +275,15 @@ class TestLeastSquares : public QObject {
         int calls = 0;
         LeastSquaresParams params;
         params.support = Support::rectangle({16, 16});
-        const auto fitted =
-            fitTexton(model, params, [&](const LeastSquaresProgress&) { return ++calls < 3; });
+        CancelSource source;
+        const auto fitted = fitTexton(
+            model,
+            params,
+            [&](const TextonProgress&) {
+                if (++calls == 3)
+                    source.cancel();
+            },
+            source.token());
         TXN_FAILS_WITH(fitted, ErrorCode::Cancelled);
         QCOMPARE(calls, 3);
     }

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/material/MaterialMap.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numeric>
+#include <utility>
+
+namespace txn {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, MapKind>, 9> kKinds{{
+    {"color", MapKind::Color},
+    {"normal", MapKind::Normal},
+    {"normal-y-down", MapKind::NormalYDown},
+    {"height", MapKind::Height},
+    {"roughness", MapKind::Roughness},
+    {"occlusion", MapKind::Occlusion},
+    {"metalness", MapKind::Metalness},
+    {"packed", MapKind::Packed},
+    {"data", MapKind::Data},
+}};
+
+/// In small letters, without anything between them.
+constexpr std::array<std::pair<std::string_view, MapKind>, 41> kWords{{
+    {"color", MapKind::Color},
+    {"colour", MapKind::Color},
+    {"col", MapKind::Color},
+    {"albedo", MapKind::Color},
+    {"basecolor", MapKind::Color},
+    {"basecolour", MapKind::Color},
+    {"base", MapKind::Color},
+    {"diffuse", MapKind::Color},
+    {"diff", MapKind::Color},
+    {"normal", MapKind::Normal},
+    {"normals", MapKind::Normal},
+    {"normalgl", MapKind::Normal},
+    {"nor", MapKind::Normal},
+    {"norgl", MapKind::Normal},
+    {"nrm", MapKind::Normal},
+    {"norm", MapKind::Normal},
+    {"normalydown", MapKind::NormalYDown},
+    {"normaldx", MapKind::NormalYDown},
+    {"nordx", MapKind::NormalYDown},
+    {"normaldirectx", MapKind::NormalYDown},
+    {"height", MapKind::Height},
+    {"heightmap", MapKind::Height},
+    {"displacement", MapKind::Height},
+    {"disp", MapKind::Height},
+    {"depth", MapKind::Height},
+    {"roughness", MapKind::Roughness},
+    {"rough", MapKind::Roughness},
+    {"rgh", MapKind::Roughness},
+    {"occlusion", MapKind::Occlusion},
+    {"ambientocclusion", MapKind::Occlusion},
+    {"ambient", MapKind::Occlusion},
+    {"ao", MapKind::Occlusion},
+    {"occ", MapKind::Occlusion},
+    {"metalness", MapKind::Metalness},
+    {"metallic", MapKind::Metalness},
+    {"metal", MapKind::Metalness},
+    {"mtl", MapKind::Metalness},
+    {"packed", MapKind::Packed},
+    {"orm", MapKind::Packed},
+    {"arm", MapKind::Packed},
+    {"aorm", MapKind::Packed},
+}};
+
+std::string letters(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return result;
+}
+
+/// "GrassAmbientOcclusion_1K-GL" as "grass", "ambient", "occlusion", "k", "gl".
+std::vector<std::string> wordsOf(std::string_view text) {
+    std::vector<std::string> words(1);
+    bool wasLower = false;
+    for (const char c : text) {
+        const auto letter = static_cast<unsigned char>(c);
+        const bool upper = std::isupper(letter) != 0;
+        if (std::isalpha(letter) == 0 || (upper && wasLower))
+            words.emplace_back();
+        if (std::isalpha(letter) != 0)
+            words.back() += static_cast<char>(std::tolower(letter));
+        wasLower = std::islower(letter) != 0;
+    }
+    std::erase(words, "");
+    return words;
+}
+
+} // namespace
+
+bool isNormal(MapKind kind) {
+    return kind == MapKind::Normal || kind == MapKind::NormalYDown;
+}
+
+int pictureChannels(const MaterialMap& map) {
+    return isNormal(map.kind) ? 3 : map.channels;
+}
+
+int firstChannel(const MaterialMaps& maps, std::size_t map) {
+    return std::accumulate(maps.begin(),
+                           maps.begin() + static_cast<std::ptrdiff_t>(map),
+                           0,
+                           [](int sum, const MaterialMap& m) { return sum + m.channels; });
+}
+
+int channelCount(const MaterialMaps& maps) {
+    return firstChannel(maps, maps.size());
+}
+
+std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind) {
+    const auto it =
+        std::find_if(maps.begin(), maps.end(), [&](const auto& m) { return m.kind == kind; });
+    return it == maps.end() ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(it - maps.begin()));
+}
+
+std::vector<std::string> channelNames(const MaterialMaps& maps) {
+    std::vector<std::string> names;
+    for (const MaterialMap& map : maps) {
+        for (int c = 0; c < map.channels; ++c) {
+            std::string channel;
+            if (isNormal(map.kind))
+                channel = std::string(".") + "XY"[c];
+            else if (map.channels == 3)
+                channel = std::string(".") + "RGB"[c];
+            else if (map.channels > 1)
+                channel = ".ch" + std::to_string(c);
+            names.push_back(map.name + channel);
+        }
+    }
+    return names;
+}
+
+std::string_view toString(MapKind kind) {
+    return kKinds[static_cast<std::size_t>(kind)].first;
+}
+
+std::optional<MapKind> mapKindFromString(std::string_view text) {
+    const auto* it = std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& known) {
+        return known.first == text;
+    });
+    return it == kKinds.end() ? std::nullopt : std::optional(it->second);
+}
+
+std::optional<MapKind> mapKindOfWord(std::string_view word) {
+    const std::string plain = letters(word);
+    const auto* it = std::find_if(kWords.begin(), kWords.end(), [&](const auto& known) {
+        return known.first == plain;
+    });
+    return it == kWords.end() ? std::nullopt : std::optional(it->second);
+}
+
+std::optional<MapKind> mapKindOfFileName(std::string_view fileName) {
+    const auto dot = fileName.rfind('.');
+    const auto words = wordsOf(fileName.substr(0, dot));
+    std::vector<MapKind> found;
+    bool directX = false;
+    for (const std::string& word : words) {
+        directX = directX || word == "dx" || word == "directx";
+        if (const auto kind = mapKindOfWord(word); kind && (found.empty() || found.back() != *kind))
+            found.push_back(*kind);
+    }
+    if (found.empty())
+        return std::nullopt;
+    const auto has = [&](MapKind kind) { return std::ranges::find(found, kind) != found.end(); };
+    if (has(MapKind::Occlusion) && has(MapKind::Roughness) && has(MapKind::Metalness))
+        return MapKind::Packed;
+    if (found.back() == MapKind::Normal && directX)
+        return MapKind::NormalYDown;
+    return found.back();
+}
+
+} // namespace txn

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/qa/SupportSuggestion.h"
+
+#include "core/gaussian/ChannelWeights.h"
+#include "core/image/ImageGeometry.h"
+#include "core/qa/Autocovariance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace txn {
+namespace {
+
+constexpr std::array kSides{16, 24, 32, 48, 64, 96, 128, 192, 256};
+constexpr double kSmallEnough = 0.1;
+constexpr int kLargestPart = 1024;
+/// A covariance of many channels at many lags takes much memory.
+constexpr int kManyChannels = 4;
+constexpr int kLongestLag = 128;
+constexpr int kLongestLagOfMany = 64;
+
+Image middle(const Image& image) {
+    const Size size{std::min(image.width(), kLargestPart), std::min(image.height(), kLargestPart)};
+    return *crop(image,
+                 {(image.width() - size.width) / 2, (image.height() - size.height) / 2, size});
+}
+
+/// Sums of squares over the lags with max(|dx|, |dy|) = ring.
+template <class Value>
+std::vector<double> ringSums(const Autocovariance& like, Value value) {
+    const int lag = like.maxLag();
+    std::vector<double> sums(static_cast<std::size_t>(lag) + 1, 0.0);
+    for (int i = 0; i < like.channels(); ++i) {
+        for (int j = 0; j < like.channels(); ++j) {
+            for (int dy = -lag; dy <= lag; ++dy) {
+                for (int dx = -lag; dx <= lag; ++dx) {
+                    const double v = value(i, j, dx, dy);
+                    sums[static_cast<std::size_t>(std::max(std::abs(dx), std::abs(dy)))] += v * v;
+                }
+            }
+        }
+    }
+    return sums;
+}
+
+} // namespace
+
+Result<SupportSuggestion> suggestSupport(const Exemplar& exemplar) {
+    const Image image = middle(exemplar.image);
+    const int shorter = std::min(image.width(), image.height());
+    if (shorter < 2 * kSides.front())
+        return Error{ErrorCode::SizeMismatch,
+                     "the exemplar is too small to suggest a support; give one"};
+    const auto weights = channelWeights(exemplar);
+    const int lag = std::min(shorter / 4,
+                             image.channels() > kManyChannels ? kLongestLagOfMany : kLongestLag);
+    const auto all = autocovariance(image, lag).weighted(weights);
+    auto signal = ringSums(all, [&](int i, int j, int dx, int dy) { return all.at(i, j, dx, dy); });
+    if (!(signal.front() > 0.0))
+        return Error{ErrorCode::Degenerate,
+                     "the exemplar is one flat colour: there is no texture to summarise"};
+    for (const bool leftRight : {true, false}) {
+        const Size half = leftRight ? Size{image.width() / 2, image.height()}
+                                    : Size{image.width(), image.height() / 2};
+        const auto first = autocovariance(*crop(image, {0, 0, half}), lag).weighted(weights);
+        const auto second =
+            autocovariance(
+                *crop(image, {image.width() - half.width, image.height() - half.height, half}),
+                lag)
+                .weighted(weights);
+        // Of the mean of two halves, half their difference is chance; the two cuts count half each.
+        const auto chance = ringSums(all, [&](int i, int j, int dx, int dy) {
+            return 0.5 * (first.at(i, j, dx, dy) - second.at(i, j, dx, dy));
+        });
+        for (std::size_t ring = 0; ring < signal.size(); ++ring)
+            signal[ring] -= 0.5 * chance[ring];
+    }
+    double total = 0.0;
+    for (double& s : signal) {
+        s = std::max(s, 0.0);
+        total += s;
+    }
+    SupportSuggestion best{kSides.front(), 1.0};
+    for (const int side : kSides) {
+        if (side > shorter / 2 || side / 2 > lag)
+            break;
+        double beyond = 0.0;
+        for (auto ring = static_cast<std::size_t>(side / 2 + 1); ring < signal.size(); ++ring)
+            beyond += signal[ring];
+        best = {side, total > 0.0 ? std::sqrt(beyond / total) : 0.0};
+        if (best.error <= kSmallEnough)
+            break;
+    }
+    return best;
+}
+
+} // namespace txn
