@@ -6,7 +6,6 @@
 #include "cli/SolveOptions.h"
 #include "core/base/OutputFiles.h"
 #include "core/export/Exporter.h"
-#include "core/qa/CovarianceError.h"
 
 #include <iostream>
 #include <memory>
@@ -24,25 +23,33 @@ struct Options {
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
     for (const auto& output : options.outputs) {
-        if (const auto ok = checkNotInput(options.exemplar.path, output); !ok)
+        for (const auto& input : inputFiles(options.exemplar)) {
+            if (const auto ok = checkNotInput(input, output); !ok)
+                return ok.error();
+        }
+    }
+    if (options.exemplar.stack.empty()) {
+        if (const auto ok = checkTextonOutputs(options.outputs); !ok)
             return ok.error();
     }
-    if (const auto ok = checkTextonOutputs(options.outputs); !ok)
-        return ok.error();
     Stopwatch watch;
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();
+    // What files a stack becomes is known only now.
+    if (const auto ok = checkTextonOutputs(options.outputs, exemplar->maps); !ok)
+        return ok.error();
     const double load = watch.lap();
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
     auto solved = solve(*exemplar, model, options.solve, cancel);
     if (!solved)
         return Error{solved.error().code,
-                     quoted(options.exemplar.path) + ": " + solved.error().message};
+                     quoted(mainFile(options.exemplar)) + ": " + solved.error().message};
     const double solving = watch.lap();
 
     TextonAsset asset;
-    asset.texton = std::move(solved->texton);
+    asset.texton = solved->computed.texton;
+    asset.maps = exemplar->maps;
     asset.exemplarName = exemplar->name;
     asset.seed.value = options.solve.seed;
     const auto written = saveTexton(asset, options.outputs);
@@ -50,8 +57,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return written.error();
     const double writing = watch.lap();
 
-    // Too small an exemplar cannot be measured against itself; it has a texton all the same.
-    const auto dial = covarianceError(*exemplar, asset.texton);
+    const auto& dial = solved->dial;
+    const auto& corrected = solved->computed.relativeModelError;
     const Size size = exemplar->image.size();
     const Size support = asset.texton.support.size();
     if (options.json) {
@@ -60,6 +67,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         json["height"] = size.height;
         json["channels"] = exemplar->image.channels();
         json["support"] = {support.width, support.height};
+        if (solved->suggestion)
+            json["support_error"] = solved->suggestion->error;
         json["shape"] = options.solve.shape;
         json["order"] = options.solve.order;
         json["method"] = options.solve.method;
@@ -71,9 +80,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         json["seed"] = options.solve.seed;
         json["covariance_error"] = dial ? nlohmann::json(dial->error) : nlohmann::json();
         json["covariance_error_floor"] = dial ? nlohmann::json(dial->floor) : nlohmann::json();
-        json["rme"] = solved->error ? nlohmann::json(*solved->error) : nlohmann::json();
-        json["rme_corrected"] =
-            solved->correctedError ? nlohmann::json(*solved->correctedError) : nlohmann::json();
+        json["rme"] = corrected ? nlohmann::json(solved->computed.error) : nlohmann::json();
+        json["rme_corrected"] = corrected ? nlohmann::json(*corrected) : nlohmann::json();
         json["seconds"] = {{"load", load}, {"solve", solving}, {"write", writing}};
         for (const auto& path : *written)
             json["outputs"].push_back(path.string());
@@ -81,17 +89,20 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return {};
     }
     std::cout << exemplar->name << ": " << size.width << " x " << size.height << ", "
-              << exemplar->image.channels() << " channels; texton " << support.width << " x "
-              << support.height;
+              << exemplar->image.channels() << " channels; ";
+    if (dial)
+        std::cout << inWords(*dial) << "; ";
+    std::cout << "texton " << support.width << " x " << support.height;
+    if (solved->suggestion)
+        std::cout << " (as suggested: " << shortNumber(100.0 * solved->suggestion->error)
+                  << " % of the correlation reaches further)";
     if (asset.texton.kernelCount() > 1)
         std::cout << ", " << asset.texton.kernelCount() << " kernels";
-    if (dial)
-        std::cout << ", covariance error " << shortNumber(dial->error / dial->floor)
-                  << " x the floor";
-    if (solved->error)
-        std::cout << ", relative model error " << shortNumber(*solved->error) << " ("
-                  << shortNumber(*solved->correctedError) << " with corrected colours)";
     std::cout << ", " << shortNumber(solving) << " s\n";
+    if (corrected)
+        std::cout << "relative model error " << shortNumber(solved->computed.error) << " ("
+                  << shortNumber(*corrected) << " with corrected colours)\n"
+                  << kWhyModelErrorStays << '\n';
     printWritten(*written);
     return {};
 }
@@ -100,9 +111,17 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
 
 void addCompute(CLI::App& app, Session& session) {
     auto* command = app.add_subcommand("compute", "Compute the texton of a material");
-    command->footer("Example:\n  texton compute wood.jpg -o wood.exr -o wood.png --support 96");
+    command->footer(
+        "Examples:\n"
+        "  texton compute wood.jpg -o wood.exr -o wood.png --support auto\n"
+        "  texton compute --stack color=rock_albedo.png --stack normal=rock_normal.png \\\n"
+        "                 --stack roughness=rock_rough.png -o rock.exr\n"
+        "The covariance error tells how far the texton's noise is from the material; at 1 x the\n"
+        "floor it is as close as one half of the photograph is to all of it.\n"
+        "With --method projections: the relative model error stays near 0.46 even for a perfect\n"
+        "texton, because it compares with one photograph, in which every wave's strength is random.");
     auto options = std::make_shared<Options>();
-    addExemplarOptions(*command, options->exemplar);
+    addMaterialOptions(*command, options->exemplar);
     command
         ->add_option("-o,--output",
                      options->outputs,

@@ -6,12 +6,15 @@
 #include "core/base/OutputFiles.h"
 #include "core/image/ColorTransfer.h"
 #include "core/image/ImageGeometry.h"
+#include "core/material/MapStack.h"
 #include "core/spectral/Lighting.h"
 
-namespace txn::cli {
+#include <algorithm>
 
-void addExemplarOptions(CLI::App& app, ExemplarOptions& options) {
-    app.add_option("EXEMPLAR", options.path, "Picture of the material")->required();
+namespace txn::cli {
+namespace {
+
+void addPreparation(CLI::App& app, ExemplarOptions& options) {
     addParsed(app, "--crop", options.crop, parseRect, "X,Y,W,H", "Use only this part, in pixels");
     app.add_option("--rotate",
                    options.rotate,
@@ -23,41 +26,146 @@ void addExemplarOptions(CLI::App& app, ExemplarOptions& options) {
     app.add_flag("--linear", options.linear, "Convert to linear light first");
 }
 
-Result<Exemplar> loadExemplar(const ExemplarOptions& options) {
-    const BusySign busy("Preparing the exemplar");
-    auto loaded = loadImage(options.path);
-    if (!loaded)
-        return loaded.error();
-    const auto named = [&](const Error& error) {
-        return Error{error.code, quoted(options.path) + ": " + error.message};
-    };
-    Image image = std::move(loaded->image);
-    if (options.crop) {
-        auto part = crop(image, *options.crop);
-        if (!part)
-            return named(part.error());
-        image = std::move(*part);
+/// "height=stone_disp.png"; the name tells what the map is, and what its files will be called.
+std::optional<StackEntry> parseStackEntry(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals + 1 == text.size())
+        return std::nullopt;
+    StackEntry entry;
+    entry.name = text.substr(0, equals);
+    if (!isMapName(entry.name))
+        return std::nullopt;
+    entry.kind = mapKindOfWord(entry.name).value_or(MapKind::Data);
+    entry.path = text.substr(equals + 1);
+    return entry;
+}
+
+/// The picture of the options, or the stack, before any preparation.
+Result<Exemplar> loadWhole(const ExemplarOptions& options) {
+    if (options.stack.empty()) {
+        auto loaded = loadImage(options.path);
+        if (!loaded)
+            return loaded.error();
+        return makeExemplar(std::move(loaded->image), options.path.filename().string());
     }
-    // Before samples that are not numbers can spread by filtering.
-    auto exemplar = makeExemplar(std::move(image), options.path.filename().string());
+    std::vector<MapPicture> pictures;
+    for (const StackEntry& entry : options.stack) {
+        auto loaded = loadImage(entry.path);
+        if (!loaded)
+            return loaded.error();
+        // Bad samples are told by their file's name, before they are mixed.
+        auto checked = makeExemplar(std::move(loaded->image), entry.path.filename().string());
+        if (!checked)
+            return checked.error();
+        pictures.push_back(
+            {entry.name, entry.kind, std::move(checked->image), entry.path.filename().string()});
+    }
+    auto stack = stackMaps(std::move(pictures));
+    if (!stack)
+        return stack.error();
+    return makeExemplar(std::move(stack->image),
+                        mainFile(options).filename().string(),
+                        std::move(stack->maps));
+}
+
+Result<Image> flattened(const Exemplar& exemplar, double radius) {
+    if (exemplar.maps.empty())
+        return flattenLighting(exemplar.image, radius);
+    Image image = exemplar.image;
+    for (std::size_t m = 0; m < exemplar.maps.size(); ++m) {
+        if (exemplar.maps[m].kind != MapKind::Color)
+            continue;
+        const auto flat = flattenLighting(mapPicture(image, exemplar.maps, m), radius);
+        if (!flat)
+            return flat.error();
+        const int first = firstChannel(exemplar.maps, m);
+        for (int c = 0; c < flat->channels(); ++c)
+            std::ranges::copy(flat->plane(c), image.plane(first + c).begin());
+    }
+    return image;
+}
+
+} // namespace
+
+void addExemplarOptions(CLI::App& app, ExemplarOptions& options) {
+    app.add_option("EXEMPLAR", options.path, "Picture of the material")->required();
+    addPreparation(app, options);
+}
+
+void addMaterialOptions(CLI::App& app, ExemplarOptions& options) {
+    app.add_option("EXEMPLAR", options.path, "Picture of the material, unless --stack is given");
+    app.add_option_function<std::vector<std::string>>(
+           "--stack",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   const auto entry = parseStackEntry(text);
+                   if (!entry)
+                       throw CLI::ValidationError(
+                           "--stack",
+                           "'" + text + "' is not of the form NAME=FILE, such as height=stone_h.png");
+                   options.stack.push_back(*entry);
+               }
+           },
+           "One map of a material, given once for each: color, normal (or normal-dx with green "
+           "down), height, roughness, occlusion, metalness, packed (occlusion, roughness and "
+           "metalness in one picture); other names are data as they are")
+        ->type_name("NAME=FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addPreparation(app, options);
+}
+
+std::vector<std::filesystem::path> inputFiles(const ExemplarOptions& options) {
+    std::vector<std::filesystem::path> files;
+    if (!options.path.empty())
+        files.push_back(options.path);
+    for (const StackEntry& entry : options.stack)
+        files.push_back(entry.path);
+    return files;
+}
+
+std::filesystem::path mainFile(const ExemplarOptions& options) {
+    return options.stack.empty() ? options.path : options.stack.front().path;
+}
+
+Result<Exemplar> loadExemplar(const ExemplarOptions& options) {
+    const bool stack = !options.stack.empty();
+    if (stack != options.path.empty())
+        return Error{ErrorCode::InvalidArgument,
+                     stack ? "give a picture or --stack, not both"
+                           : "give a picture of the material, or its maps with --stack"};
+    if (stack && options.linear)
+        return Error{ErrorCode::InvalidArgument,
+                     "--linear is for pictures; the colors of a stack stay encoded"};
+    const BusySign busy("Preparing the exemplar");
+    auto exemplar = loadWhole(options);
     if (!exemplar)
         return exemplar.error();
-    image = std::move(exemplar->image);
+    const auto named = [&](const Error& error) {
+        return Error{error.code, quoted(mainFile(options)) + ": " + error.message};
+    };
+    if (options.crop) {
+        auto part = crop(exemplar->image, *options.crop);
+        if (!part)
+            return named(part.error());
+        exemplar->image = std::move(*part);
+    }
     if (options.rotate != 0.0) {
-        auto turned = rotated(image, options.rotate);
+        auto turned = rotated(exemplar->image, options.rotate);
         if (!turned)
             return named(turned.error());
-        image = std::move(*turned);
+        exemplar->image = std::move(*turned);
+        turnSlopes(exemplar->image, exemplar->maps, options.rotate);
     }
     if (options.flatten) {
-        auto flat = flattenLighting(image, *options.flatten);
+        auto flat = flattened(*exemplar, *options.flatten);
         if (!flat)
             return named(flat.error());
-        image = std::move(*flat);
+        exemplar->image = std::move(*flat);
     }
     if (options.linear)
-        image = toLinear(std::move(image));
-    return makeExemplar(std::move(image), options.path.filename().string());
+        exemplar->image = toLinear(std::move(exemplar->image));
+    return makeExemplar(std::move(exemplar->image), exemplar->name, exemplar->maps);
 }
 
 } // namespace txn::cli

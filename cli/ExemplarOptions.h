@@ -7,12 +7,22 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace txn::cli {
 
+/// One map of a stack, as given with --stack.
+struct StackEntry {
+    std::string name;
+    MapKind kind = MapKind::Data;
+    std::filesystem::path path;
+};
+
 /// The exemplar and how it is prepared, for all commands that start from a photograph.
 struct ExemplarOptions {
-    std::filesystem::path path;
+    std::filesystem::path path;    ///< or
+    std::vector<StackEntry> stack; ///< registered maps of one material
     std::optional<Rect> crop;
     double rotate = 0.0;
     std::optional<double> flatten;
@@ -20,8 +30,16 @@ struct ExemplarOptions {
 };
 
 void addExemplarOptions(CLI::App& app, ExemplarOptions& options);
+/// The same, for commands that take stacks as well: --stack instead of a picture.
+void addMaterialOptions(CLI::App& app, ExemplarOptions& options);
 
-/// Loads and prepares: crop, then straighten, then even lighting, then convert.
+/// All files that are read.
+[[nodiscard]] std::vector<std::filesystem::path> inputFiles(const ExemplarOptions& options);
+/// For messages: the picture, or the first map.
+[[nodiscard]] std::filesystem::path mainFile(const ExemplarOptions& options);
+
+/// Loads and prepares: crop, then straighten, then even lighting, then convert. Of stacks, the
+/// lighting of the colors is evened.
 [[nodiscard]] Result<Exemplar> loadExemplar(const ExemplarOptions& options);
 
 } // namespace txn::cli

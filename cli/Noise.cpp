@@ -30,8 +30,10 @@ struct Options {
 };
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
-    if (const auto ok = checkPictureOutput(options.texton, options.output); !ok)
+    if (const auto ok = checkNotInput(options.texton, options.output); !ok)
         return ok.error();
+    if (const auto format = imageFormatForPath(options.output); !format)
+        return format.error();
     std::unique_ptr<tbb::global_control> limit;
     if (options.threads > 0)
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
@@ -40,6 +42,11 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const auto asset = loadTexton(options.texton);
     if (!asset)
         return asset.error();
+    const BakeTarget target{options.output, options.save, asset->maps};
+    for (const auto& file : bakeFiles(target)) {
+        if (const auto ok = checkPictureOutput(options.texton, file); !ok)
+            return ok.error();
+    }
     NoiseParams params =
         options.noise.params({asset->process, asset->meanImpacts, asset->seed, std::nullopt});
     if (options.tile)
@@ -53,8 +60,7 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return bake(
             *grid,
             {options.origin.first, options.origin.second, options.size},
-            options.output,
-            options.save,
+            target,
             [&](double share) { bar.update(share); },
             cancel);
     }();
@@ -74,14 +80,15 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         json["tile"] = options.tile;
         json["clipped"] = report->clippedShare;
         json["seconds"] = seconds;
-        json["outputs"] = {options.output.string()};
+        for (const auto& file : bakeFiles(target))
+            json["outputs"].push_back(file.string());
         printJson(json);
         return {};
     }
     if (report->clippedShare >= 0.001)
         std::cout << shortNumber(100.0 * report->clippedShare)
                   << " % of the samples were clipped to black or white; EXR keeps them\n";
-    printWritten({&options.output, 1});
+    printWritten(bakeFiles(target));
     return {};
 }
 
@@ -90,7 +97,9 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
 void addNoise(CLI::App& app, Session& session) {
     auto* command = app.add_subcommand("noise", "Make texton noise of any size from a texton");
     command->footer("Examples:\n  texton noise wood.exr -o wood_4k.png --size 4096x4096 --tile\n"
-                    "  texton noise wood.exr -o wood_huge.exr --size 30000x30000");
+                    "  texton noise wood.exr -o wood_huge.exr --size 30000x30000\n"
+                    "Of a stack, all maps are made of the same impulses: one file each\n"
+                    "(rock_color.png, rock_normal.png ...), or one EXR with a layer for each.");
     auto options = std::make_shared<Options>();
     command->add_option("TEXTON", options->texton, "Texton: .exr, .png or .texton")->required();
     command->add_option("-o,--output", options->output, "Picture to write")->required();

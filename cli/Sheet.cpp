@@ -9,6 +9,7 @@
 #include "core/gaussian/GaussianSampler.h"
 #include "core/image/ImageGeometry.h"
 #include "core/image/ImageIo.h"
+#include "core/material/MapStack.h"
 #include "core/noise/NoiseGrid.h"
 #include "core/sheet/ContactSheet.h"
 
@@ -28,9 +29,37 @@ struct Options {
     std::filesystem::path output;
 };
 
+/// Of a picture: exemplar, Gaussian version, texton, noise. Of a stack: each map and its noise.
+std::vector<Panel> panels(const Exemplar& exemplar,
+                          const Image& gaussian,
+                          const Texton& texton,
+                          const Image& noise,
+                          Size shown,
+                          const std::string& noiseName) {
+    const Size whole = exemplar.image.size();
+    const Rect middle{(whole.width - shown.width) / 2, (whole.height - shown.height) / 2, shown};
+    const Image picture = *crop(exemplar.image, middle);
+    if (exemplar.maps.empty())
+        return {{"Exemplar, " + sizeText(whole), picture},
+                {"Gaussian version (ADSN)", *crop(gaussian, middle)},
+                {"Texton, " + sizeText(texton.support.size()) + ", order " +
+                     std::to_string(texton.interpolationOrder),
+                 textonPicture(texton, shown)},
+                {noiseName, noise}};
+    std::vector<Panel> result;
+    for (std::size_t m = 0; m < exemplar.maps.size(); ++m) {
+        const std::string& map = exemplar.maps[m].name;
+        result.push_back({map + ", " + sizeText(whole), mapPicture(picture, exemplar.maps, m)});
+        result.push_back({map + ", " + noiseName, mapPicture(noise, exemplar.maps, m)});
+    }
+    return result;
+}
+
 Result<void> run(const Options& options, const CancelToken& cancel) {
-    if (const auto ok = checkPictureOutput(options.exemplar.path, options.output); !ok)
-        return ok.error();
+    for (const auto& input : inputFiles(options.exemplar)) {
+        if (const auto ok = checkPictureOutput(input, options.output); !ok)
+            return ok.error();
+    }
     const auto exemplar = loadExemplar(options.exemplar);
     if (!exemplar)
         return exemplar.error();
@@ -38,33 +67,25 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const auto solved = solve(*exemplar, model, options.solve, cancel);
     if (!solved)
         return Error{solved.error().code,
-                     quoted(options.exemplar.path) + ": " + solved.error().message};
+                     quoted(mainFile(options.exemplar)) + ": " + solved.error().message};
+    const Texton& texton = solved->computed.texton;
     const NoiseParams params = options.noise.params();
-    const auto grid = NoiseGrid::create(solved->texton, params);
+    const auto grid = NoiseGrid::create(texton, params);
     if (!grid)
         return grid.error();
 
     const Size whole = exemplar->image.size();
     const Size shown{std::min(whole.width, kLargestPanel), std::min(whole.height, kLargestPanel)};
-    const Rect middle{(whole.width - shown.width) / 2, (whole.height - shown.height) / 2, shown};
     const auto noise = grid->render({0, 0, shown}, cancel);
     if (!noise)
         return noise.error();
-    auto picture = crop(exemplar->image, middle);
-    auto gaussian =
-        crop(sampleGaussian(model, GaussianMethod::Adsn, Seed{options.solve.seed}), middle);
-    if (!picture || !gaussian)
-        return picture ? gaussian.error() : picture.error();
-    const Size support = solved->texton.support.size();
-    const Panel panels[] = {
-        {"Exemplar, " + sizeText(whole), std::move(*picture)},
-        {"Gaussian version (ADSN)", std::move(*gaussian)},
-        {"Texton, " + sizeText(support) + ", order " + std::to_string(options.solve.order),
-         textonPicture(solved->texton, shown)},
-        {"Texton noise, " + std::string(toString(params.process)) + ", MNI " +
-             shortNumber(params.meanImpacts),
-         *noise}};
-    const auto sheet = contactSheet(exemplar->name, panels);
+    const auto gaussian = sampleGaussian(model, GaussianMethod::Adsn, Seed{options.solve.seed});
+    const std::string noiseName = "Texton noise, " + std::string(toString(params.process)) +
+                                  ", MNI " + shortNumber(params.meanImpacts);
+    const std::string title =
+        exemplar->name + (solved->dial ? ": " + inWords(*solved->dial) : "");
+    const auto sheet =
+        contactSheet(title, panels(*exemplar, gaussian, texton, *noise, shown, noiseName));
     if (!sheet)
         return sheet.error();
     if (const auto ok = saveImage(*sheet, options.output); !ok)
@@ -81,7 +102,7 @@ void addSheet(CLI::App& app, Session& session) {
                            "Make a contact sheet: exemplar, Gaussian version, texton and noise");
     command->footer("Example:\n  texton sheet wood.jpg -o wood_sheet.png");
     auto options = std::make_shared<Options>();
-    addExemplarOptions(*command, options->exemplar);
+    addMaterialOptions(*command, options->exemplar);
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addSolveOptions(*command, options->solve);
     addNoiseOptions(*command, options->noise, "--noise-seed");

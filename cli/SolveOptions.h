@@ -2,22 +2,23 @@
 #pragma once
 
 #include "cli/Commands.h"
-#include "core/gaussian/GaussianModel.h"
-#include "core/texton/Texton.h"
-#include "core/texton/TextonParams.h"
+#include "core/compute/ComputeTexton.h"
+#include "core/qa/CovarianceError.h"
+#include "core/qa/SupportSuggestion.h"
 
 #include <optional>
+#include <string>
 
 namespace txn::cli {
 
 /// How a texton is computed, for `compute` and `sheet`.
 struct SolveOptions {
-    Size support{64, 64};
+    std::optional<Size> support{{64, 64}}; ///< unset: as suggested
     std::string shape = "square";
     int order = 1;
-    std::string method = "projections"; ///< or "fit"
-    std::string kernels = "auto";       ///< of a fit: or a number
-    int iterations = 50;
+    std::string method = "fit";   ///< or "projections"
+    std::string kernels = "auto"; ///< of a fit: or a number
+    int iterations = 50;          ///< of projections, as is momentum
     double momentum = 0.9;
     std::uint32_t seed = 1;
     bool noPeriodic = false;
@@ -26,19 +27,27 @@ struct SolveOptions {
 
 void addSolveOptions(CLI::App& app, SolveOptions& options);
 
-/// A texton with its relative model errors, before and after colour correction (equal without); a
-/// fit has none.
+/// What `compute` reports of a texton.
 struct Solved {
-    Texton texton;
-    std::optional<double> error;
-    std::optional<double> correctedError;
+    ComputedTexton computed;
+    std::optional<SupportSuggestion> suggestion; ///< where the support was suggested
+    /// Unset for exemplars that are too small to be compared with themselves.
+    std::optional<CovarianceError> dial;
 };
 
 /// Computes the texton of the exemplar, whose model is given, with a progress bar. Errors: those of
-/// TextonSolver and fitTexton; InvalidArgument for a disc that is not round; Cancelled.
+/// computeTexton and suggestSupport; InvalidArgument for a disc that is not round; Cancelled.
 [[nodiscard]] Result<Solved> solve(const Exemplar& exemplar,
                                    const GaussianModel& model,
                                    const SolveOptions& options,
                                    const CancelToken& cancel);
+
+/// "covariance error 1.1 x the floor".
+[[nodiscard]] std::string inWords(const CovarianceError& dial);
+
+/// Why the relative model error cannot be small, in one sentence.
+inline constexpr const char* kWhyModelErrorStays =
+    "The relative model error stays near 0.46 even for a perfect texton, because it compares with "
+    "one photograph, in which every wave's strength is random.";
 
 } // namespace txn::cli

@@ -51,8 +51,7 @@ Result<double> writeNoise(const QString& file,
     const auto report = bake(
         *grid,
         rect,
-        toPath(file),
-        options,
+        {toPath(file), options, snapshot.asset.maps},
         [&](double share) { context.setProgress(share); },
         context.token());
     if (!report)

@@ -87,15 +87,28 @@ std::string channelName(int channel, int channels) {
     return "ch" + std::to_string(channel);
 }
 
-std::vector<std::string> layerNames(const Texton& texton) {
+std::vector<std::string> layerNames(const TextonAsset& asset) {
+    const Texton& texton = asset.texton;
+    const auto ofMaps = channelNames(asset.maps);
     std::vector<std::string> names;
     for (int q = 0; q < texton.kernelCount(); ++q) {
         const std::string layer =
             texton.kernelCount() > 1 ? "kernel" + std::to_string(q) + "." : std::string();
         for (int c = 0; c < texton.channels(); ++c)
-            names.push_back(layer + channelName(c, texton.channels()));
+            names.push_back(layer + (ofMaps.empty() ? channelName(c, texton.channels())
+                                                    : ofMaps[static_cast<std::size_t>(c)]));
     }
     return names;
+}
+
+/// The files that hold the samples of a texton that is written to path.
+std::vector<fs::path> pictureFiles(const fs::path& path, TextonFormat format, const MaterialMaps& maps) {
+    if (format != TextonFormat::Png || maps.empty())
+        return {path};
+    std::vector<fs::path> files;
+    for (const MaterialMap& map : maps)
+        files.push_back(mapFile(path, map.name));
+    return files;
 }
 
 /// Calls visit(kernel, channel, x, y, px, py): coefficient (x, y) and its place in the frame.
@@ -129,34 +142,40 @@ Result<void> writeExr(const TextonAsset& asset,
                        });
     SaveOptions options;
     options.sampleFormat = SampleFormat::Float;
-    options.channelNames = layerNames(texton);
+    options.channelNames = layerNames(asset);
     for (const auto& [key, value] : description.items())
         options.attributes[std::string(kAttributePrefix) + key] = asText(value);
     return saveImage(image, path, options, &files);
 }
 
+/// count channels of the texton from the first one on, kernels below each other. Two channels are
+/// red and green.
 Result<void> writePng(const TextonAsset& asset,
                       const SampleCode& code,
+                      int first,
+                      int count,
                       const fs::path& path,
                       OutputFiles& files) {
     const Texton& texton = asset.texton;
-    if (texton.channels() != 1 && texton.channels() != 3)
+    if (count > 3 || (count == 2 && asset.maps.empty()))
         return inFile("write",
                       path,
                       {ErrorCode::Unsupported,
                        "a PNG texton holds 1 or 3 channels and this one has " +
-                           std::to_string(texton.channels()) + "; use EXR"});
+                           std::to_string(count) + "; use EXR"});
     const Size footprint = texton.footprint();
-    Image image({footprint.width, footprint.height * texton.kernelCount()}, texton.channels());
+    Image image({footprint.width, footprint.height * texton.kernelCount()}, count == 1 ? 1 : 3);
     for (int c = 0; c < image.channels(); ++c)
         std::ranges::fill(image.plane(c), static_cast<float>(kZeroCode / kLargestCode));
     forEachCoefficient(texton,
                        texton.kernelCount(),
                        [&](int q, int c, int x, int y, int px, int py) {
+                           if (c < first || c >= first + count)
+                               return;
                            const auto i = static_cast<std::size_t>(c);
                            const double value =
                                texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
-                           image.at(px, q * footprint.height + py, c) =
+                           image.at(px, q * footprint.height + py, c - first) =
                                static_cast<float>((value - code.bias[i]) / code.scale[i]);
                        });
     SaveOptions options;
@@ -164,7 +183,31 @@ Result<void> writePng(const TextonAsset& asset,
     return saveImage(image, path, options, &files);
 }
 
-Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFiles& files) {
+Result<void> writePngs(const TextonAsset& asset,
+                       const SampleCode& code,
+                       const fs::path& path,
+                       OutputFiles& files) {
+    if (asset.maps.empty())
+        return writePng(asset, code, 0, asset.texton.channels(), path, files);
+    const auto paths = pictureFiles(path, TextonFormat::Png, asset.maps);
+    for (std::size_t m = 0; m < paths.size(); ++m) {
+        if (auto ok = writePng(asset,
+                               code,
+                               firstChannel(asset.maps, m),
+                               asset.maps[m].channels,
+                               paths[m],
+                               files);
+            !ok)
+            return ok;
+    }
+    return {};
+}
+
+/// Adds the texton's files under one of its outputs; appends their names.
+Result<void> addOutput(const TextonAsset& asset,
+                       const fs::path& path,
+                       OutputFiles& files,
+                       std::vector<fs::path>& written) {
     const auto format = formatForPath(path);
     if (!format)
         return format.error();
@@ -178,11 +221,13 @@ Result<void> addOutput(const TextonAsset& asset, const fs::path& path, OutputFil
         if (const auto ok = files.addText(path, *text); !ok)
             return ok.error();
     } else {
-        const auto ok = *format == TextonFormat::Png ? writePng(asset, code, path, files)
+        const auto ok = *format == TextonFormat::Png ? writePngs(asset, code, path, files)
                                                      : writeExr(asset, description, path, files);
         if (!ok)
             return ok.error();
     }
+    std::ranges::copy(pictureFiles(path, *format, asset.maps), std::back_inserter(written));
+    written.push_back(sidecarPath(path));
     return files.addText(sidecarPath(path), asText(description, 2) + "\n");
 }
 
@@ -271,7 +316,7 @@ Result<TextonAsset> withKernels(Description description,
                           Image(texton.support.size(), texton.channels(), 0.0F, texton.transfer));
     // EXR files list their channels by name, in an order of their own.
     std::vector<int> source(static_cast<std::size_t>(channels));
-    const auto names = layerNames(texton);
+    const auto names = layerNames(description.asset);
     for (std::size_t i = 0; !png && i < names.size(); ++i) {
         const auto it = std::ranges::find(loaded.channelNames, names[i]);
         if (it == loaded.channelNames.end())
@@ -337,8 +382,32 @@ Result<TextonAsset> loadTextonText(const fs::path& path) {
         asset->meanImpacts = sidecar->asset.meanImpacts;
         asset->seed = sidecar->asset.seed;
         asset->exemplarName = sidecar->asset.exemplarName;
+        asset->maps = sidecar->asset.maps;
     }
     return asset;
+}
+
+/// The picture that the PNGs of a set would be in one file.
+Result<LoadedImage> loadSet(const fs::path& path, const MaterialMaps& maps, const LoadOptions& options) {
+    std::optional<LoadedImage> whole;
+    int next = 0;
+    for (const MaterialMap& map : maps) {
+        const fs::path file = mapFile(path, map.name);
+        auto part = loadImage(file, options);
+        if (!part)
+            return part.error();
+        const Image& image = part->image;
+        if (!whole) {
+            whole = *part;
+            whole->image = Image(image.size(), channelCount(maps));
+        }
+        if (image.size() != whole->image.size() || image.channels() < map.channels)
+            return Error{ErrorCode::Unreadable,
+                         "the picture in " + quoted(file) + " does not match its description"};
+        for (int c = 0; c < map.channels; ++c)
+            std::ranges::copy(image.plane(c), whole->image.plane(next++).begin());
+    }
+    return std::move(*whole);
 }
 
 bool startsLikeTextonText(const fs::path& path) {
@@ -357,22 +426,30 @@ Result<std::vector<fs::path>> saveTexton(const TextonAsset& asset,
     OutputFiles files;
     std::vector<fs::path> written;
     for (const fs::path& path : outputs) {
-        if (const auto ok = addOutput(asset, path, files); !ok)
+        if (const auto ok = addOutput(asset, path, files, written); !ok)
             return ok.error();
-        written.push_back(path);
-        written.push_back(sidecarPath(path));
     }
     if (const auto ok = files.commit(); !ok)
         return ok.error();
     return written;
 }
 
-Result<void> checkTextonOutputs(std::span<const fs::path> outputs) {
+Result<void> checkTextonOutputs(std::span<const fs::path> outputs, const MaterialMaps& maps) {
     OutputFiles files;
     for (const fs::path& path : outputs) {
-        if (const auto format = formatForPath(path); !format)
+        const auto format = formatForPath(path);
+        if (!format)
             return format.error();
-        for (const fs::path& file : {path, sidecarPath(path)}) {
+        const int channels = channelCount(maps);
+        if (*format == TextonFormat::Texton && !maps.empty() && channels != 1 && channels != 3)
+            return inFile("write",
+                          path,
+                          {ErrorCode::Unsupported,
+                           "a .texton file holds 1 or 3 channels and these maps have " +
+                               std::to_string(channels) + "; use EXR"});
+        auto all = pictureFiles(path, *format, maps);
+        all.push_back(sidecarPath(path));
+        for (const fs::path& file : all) {
             if (const auto ok = files.add(file); !ok)
                 return ok.error();
         }
@@ -388,7 +465,20 @@ Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path&
             return asset.error();
         return Loaded(std::move(*asset));
     };
+    if (path.extension() == ".json")
+        return loadTextonOrImage(fs::path(path).replace_extension(), options);
     const auto format = formatForPath(path);
+    if (format && *format == TextonFormat::Png && !fs::exists(path) && hasSidecar(path)) {
+        auto description = readSidecar(path);
+        if (!description)
+            return description.error();
+        if (!description->asset.maps.empty()) {
+            const auto set = loadSet(path, description->asset.maps, options);
+            if (!set)
+                return set.error();
+            return asLoaded(withKernels(std::move(*description), *set, TextonFormat::Png, path));
+        }
+    }
     if (startsLikeTextonText(path) || (format && *format == TextonFormat::Texton))
         return asLoaded(loadTextonText(path));
     auto image = loadImage(path, options);

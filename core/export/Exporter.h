@@ -12,17 +12,20 @@
 namespace txn {
 
 /// Writes a texton to one or several files, told by their endings: `.texton`, `.exr` (float,
-/// without loss) or `.png` (16 bit), each with a sidecar named like the file plus ".json". All
-/// appear together or none does. Returns the paths, sidecars included. Errors: Unsupported (ending,
-/// or a texton that the format cannot hold); Unwritable.
+/// without loss) or `.png` (16 bit), each with a sidecar named like the file plus ".json". A PNG of
+/// a stack is a set: one file for each map, named like the output plus "_" and the map's name, and
+/// one sidecar. All appear together or none does. Returns the paths, sidecars included. Errors:
+/// Unsupported (ending, or a texton that the format cannot hold); Unwritable.
 [[nodiscard]] Result<std::vector<std::filesystem::path>>
 saveTexton(const TextonAsset& asset, std::span<const std::filesystem::path> outputs);
 
-/// Whether saveTexton could write these, as far as can be known before there is a texton: endings,
-/// folders, permissions. Errors: the same.
-[[nodiscard]] Result<void> checkTextonOutputs(std::span<const std::filesystem::path> outputs);
+/// Whether saveTexton could write these, as far as can be known before there is a texton (of these
+/// maps, if it is one of a stack): endings, folders, permissions. Errors: the same.
+[[nodiscard]] Result<void> checkTextonOutputs(std::span<const std::filesystem::path> outputs,
+                                              const MaterialMaps& maps = {});
 
-/// Reads a texton back from any of these files. A PNG needs its sidecar beside it; for a `.texton`
+/// Reads a texton back from any of these files, or from a sidecar. A PNG needs its sidecar beside
+/// it, and a set of PNGs is called by the name that all of it has in common; for a `.texton`
 /// the sidecar, if there is one that fits, adds what the format cannot hold. Errors (naming
 /// the file): NotFound, Unreadable, Unsupported.
 [[nodiscard]] Result<TextonAsset> loadTexton(const std::filesystem::path& path);

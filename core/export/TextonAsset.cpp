@@ -5,6 +5,7 @@
 #include "core/gaussian/Exemplar.h"
 #include "core/spectral/BSpline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +68,32 @@ bool readText(const Json& json, const char* key, std::string& text) {
     return true;
 }
 
+bool readMaps(const Json& json, int channels, MaterialMaps& maps) {
+    const auto it = json.find("maps");
+    if (it == json.end())
+        return true;
+    if (!it->is_array())
+        return false;
+    for (const auto& item : *it) {
+        MaterialMap map;
+        std::string kind;
+        long long count = 0;
+        if (!item.is_object() || !readText(item, "name", map.name) || !isMapName(map.name) ||
+            !readText(item, "kind", kind) || !mapKindFromString(kind) ||
+            !readInt(item, "channels", 1, kMaxExemplarChannels, count))
+            return false;
+        map.kind = *mapKindFromString(kind);
+        map.channels = static_cast<int>(count);
+        const bool known = std::ranges::any_of(maps, [&](const MaterialMap& other) {
+            return other.name == map.name;
+        });
+        if (known || (isNormal(map.kind) && map.channels != 2))
+            return false;
+        maps.push_back(std::move(map));
+    }
+    return channelCount(maps) == channels;
+}
+
 } // namespace
 
 Json describe(const TextonAsset& asset, const SampleCode& code) {
@@ -90,6 +117,9 @@ Json describe(const TextonAsset& asset, const SampleCode& code) {
     json["mni"] = asset.meanImpacts;
     json["process"] = toString(asset.process);
     json["seed"] = asset.seed.value;
+    for (const MaterialMap& map : asset.maps)
+        json["maps"].push_back(
+            {{"name", map.name}, {"kind", toString(map.kind)}, {"channels", map.channels}});
     return json;
 }
 
@@ -110,7 +140,7 @@ Result<Description> parseDescription(const Json& json) {
     long long channels = 0;
     long long width = 0;
     long long height = 0;
-    if (!readInt(json, "channels", 1, kMaxChannels, channels))
+    if (!readInt(json, "channels", 1, kMaxExemplarChannels, channels))
         return broken("channels");
     if (!readInt(json, "kernels", 1, kMaxKernels, number))
         return broken("kernels");
@@ -162,6 +192,8 @@ Result<Description> parseDescription(const Json& json) {
     result.asset.seed.value = static_cast<std::uint32_t>(number);
     if (!readText(json, "exemplar", result.asset.exemplarName))
         return broken("exemplar");
+    if (!readMaps(json, static_cast<int>(channels), result.asset.maps))
+        return broken("maps");
     return result;
 }
 

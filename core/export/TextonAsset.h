@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/material/MaterialMap.h"
 #include "core/noise/NoiseParams.h"
 #include "core/texton/Texton.h"
 
@@ -17,6 +18,7 @@ struct TextonAsset {
     double meanImpacts = defaultMeanImpacts(NoiseProcess::Stratified);
     Seed seed; ///< that the texton was computed with
     std::string exemplarName;
+    MaterialMaps maps; ///< of a stack; empty for a plain picture
 
     bool operator==(const TextonAsset&) const = default;
 };

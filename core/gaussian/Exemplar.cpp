@@ -9,10 +9,10 @@ namespace txn {
 Result<Exemplar> makeExemplar(Image image, std::string name, MaterialMaps maps) {
     if (image.empty())
         return Error{ErrorCode::InvalidArgument, "'" + name + "' holds no pixels"};
-    if (image.channels() > kMaxChannels)
+    if (image.channels() > kMaxExemplarChannels)
         return Error{ErrorCode::Unsupported,
                      "'" + name + "' has " + std::to_string(image.channels()) +
-                         " channels; at most " + std::to_string(kMaxChannels) +
+                         " channels; at most " + std::to_string(kMaxExemplarChannels) +
                          " can be used"};
     if (!maps.empty() && channelCount(maps) != image.channels())
         return Error{ErrorCode::SizeMismatch,

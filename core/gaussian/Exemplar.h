@@ -10,7 +10,7 @@
 namespace txn {
 
 /// A picture of a material, or a stack of maps of it, that a Gaussian model can be made of: 1 to
-/// kMaxChannels channels, every sample finite and at most kLargestSample in size. Made by
+/// kMaxExemplarChannels channels, every sample finite and at most kLargestSample in size. Made by
 /// makeExemplar only.
 struct Exemplar {
     /// Far beyond any light, and its square times any number of pixels still fits a float.

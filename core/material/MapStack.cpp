@@ -92,10 +92,10 @@ Result<MapStack> stackMaps(std::vector<MapPicture> pictures) {
         images.push_back(std::move(*image));
     }
     const int channels = channelCount(stack.maps);
-    if (channels > kMaxChannels)
+    if (channels > kMaxExemplarChannels)
         return Error{ErrorCode::Unsupported,
                      "the maps have " + std::to_string(channels) + " channels together; at most " +
-                         std::to_string(kMaxChannels) + " can be used"};
+                         std::to_string(kMaxExemplarChannels) + " can be used"};
     stack.image = Image(images.front().size(), channels);
     int next = 0;
     for (const Image& image : images) {

@@ -99,6 +99,20 @@ bool isNormal(MapKind kind) {
     return kind == MapKind::Normal || kind == MapKind::NormalYDown;
 }
 
+bool isMapName(std::string_view name) {
+    constexpr std::size_t kLongest = 32;
+    return !name.empty() && name.size() <= kLongest && letters(name) != "a" &&
+           letters(name) != "alpha" && std::ranges::all_of(name, [](unsigned char c) {
+               return std::isalnum(c) != 0 || c == '-' || c == '_';
+           });
+}
+
+std::filesystem::path mapFile(const std::filesystem::path& path, const std::string& map) {
+    std::filesystem::path result = path;
+    result.replace_filename(path.stem().string() + "_" + map + path.extension().string());
+    return result;
+}
+
 int pictureChannels(const MaterialMap& map) {
     return isNormal(map.kind) ? 3 : map.channels;
 }
@@ -121,20 +135,32 @@ std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind) {
                             : std::optional(static_cast<std::size_t>(it - maps.begin()));
 }
 
+namespace {
+
+void addNames(const std::string& map, int channels, const char* letters3, std::vector<std::string>& to) {
+    for (int c = 0; c < channels; ++c) {
+        if (channels == 1)
+            to.push_back(map);
+        else if (channels <= 3)
+            to.push_back(map + "." + letters3[c]);
+        else
+            to.push_back(map + ".ch" + std::to_string(c));
+    }
+}
+
+} // namespace
+
 std::vector<std::string> channelNames(const MaterialMaps& maps) {
     std::vector<std::string> names;
-    for (const MaterialMap& map : maps) {
-        for (int c = 0; c < map.channels; ++c) {
-            std::string channel;
-            if (isNormal(map.kind))
-                channel = std::string(".") + "XY"[c];
-            else if (map.channels == 3)
-                channel = std::string(".") + "RGB"[c];
-            else if (map.channels > 1)
-                channel = ".ch" + std::to_string(c);
-            names.push_back(map.name + channel);
-        }
-    }
+    for (const MaterialMap& map : maps)
+        addNames(map.name, map.channels, isNormal(map.kind) ? "XY" : "RGB", names);
+    return names;
+}
+
+std::vector<std::string> pictureChannelNames(const MaterialMaps& maps) {
+    std::vector<std::string> names;
+    for (const MaterialMap& map : maps)
+        addNames(map.name, pictureChannels(map), "RGB", names);
     return names;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,7 +10,7 @@
 namespace txn {
 
 /// Of an exemplar, and so of all maps of a stack together.
-inline constexpr int kMaxChannels = 16;
+inline constexpr int kMaxExemplarChannels = 16;
 
 /// What a map of a material says. Color: as light, encoded. The normal maps hold unit normals in
 /// tangent space; inside a stack they are two slopes each, d height / dx and d height / dy with y
@@ -40,6 +41,12 @@ struct MaterialMap {
 using MaterialMaps = std::vector<MaterialMap>;
 
 [[nodiscard]] bool isNormal(MapKind kind);
+/// Whether a map may be called that: letters, digits, '-' and '_', up to 32, and not "a" or
+/// "alpha", which stand for transparency in files.
+[[nodiscard]] bool isMapName(std::string_view name);
+/// The file of one map of a set: "stone_height.png" of "stone.png" and "height".
+[[nodiscard]] std::filesystem::path mapFile(const std::filesystem::path& path,
+                                            const std::string& map);
 /// Channels of the map as a picture: 3 for normals, which take two in a stack.
 [[nodiscard]] int pictureChannels(const MaterialMap& map);
 /// Where the map's channels begin.
@@ -49,6 +56,8 @@ using MaterialMaps = std::vector<MaterialMap>;
 [[nodiscard]] std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind);
 /// A name for each channel of the stack, such as "color.R", "normal.X" or "height".
 [[nodiscard]] std::vector<std::string> channelNames(const MaterialMaps& maps);
+/// The same of its pictures: "normal.R", "normal.G", "normal.B".
+[[nodiscard]] std::vector<std::string> pictureChannelNames(const MaterialMaps& maps);
 
 /// The usual name of the kind: "color", "normal", "normal-y-down", "height", "roughness",
 /// "occlusion", "metalness", "packed", "data".

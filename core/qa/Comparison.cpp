@@ -3,6 +3,7 @@
 
 #include "core/image/ColorTransfer.h"
 #include "core/qa/Autocovariance.h"
+#include "core/qa/CovarianceError.h"
 #include "core/qa/RadialSpectrum.h"
 #include "core/texton/RelativeModelError.h"
 
@@ -92,15 +93,17 @@ Result<Comparison> compare(const Texture& a, const Texture& b, std::optional<int
     const auto error = [&](int upTo) {
         return first.covariance.distance(second.covariance, upTo) / first.covariance.norm(upTo);
     };
-    result.covarianceError = error(0);
-    result.autocovarianceError = error(result.lag);
+    result.covarianceError = error(result.lag);
+    result.colorCovarianceError = error(0);
+    const auto* picture = std::get_if<Exemplar>(textonA == nullptr ? &left : &right);
+    if (picture != nullptr && 2 * (result.lag + 1) <= lagLimit(*picture) + 1)
+        result.covarianceErrorFloor = covarianceErrorFloor(*picture, result.lag);
     result.spectrumDifference = differenceInDecibels(first.spectrum, second.spectrum);
 
     // Of a picture and a texton: what the texton's solver minimises.
     const Texton* texton = textonA != nullptr ? textonA : textonB;
     if (texton != nullptr && (textonA == nullptr || textonB == nullptr)) {
-        const Texture& picture = textonA != nullptr ? right : left;
-        const GaussianModel model(std::get<Exemplar>(picture));
+        const GaussianModel model(*picture);
         if (const auto rme = relativeModelError(model, *texton))
             result.relativeModelError = *rme;
     }

@@ -9,17 +9,18 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace txn {
 namespace {
 
 constexpr std::array kSides{16, 24, 32, 48, 64, 96, 128, 192, 256};
-constexpr double kSmallEnough = 0.1;
+constexpr double kSmallEnough = 0.25;
 constexpr int kLargestPart = 1024;
 /// A covariance of many channels at many lags takes much memory.
 constexpr int kManyChannels = 4;
-constexpr int kLongestLag = 128;
-constexpr int kLongestLagOfMany = 64;
+constexpr int kLongestLag = 176;
+constexpr int kLongestLagOfMany = 88;
 
 Image middle(const Image& image) {
     const Size size{std::min(image.width(), kLargestPart), std::min(image.height(), kLargestPart)};
@@ -77,19 +78,14 @@ Result<SupportSuggestion> suggestSupport(const Exemplar& exemplar) {
         for (std::size_t ring = 0; ring < signal.size(); ++ring)
             signal[ring] -= 0.5 * chance[ring];
     }
-    double total = 0.0;
-    for (double& s : signal) {
-        s = std::max(s, 0.0);
-        total += s;
-    }
+    const double total = std::reduce(signal.begin(), signal.end());
     SupportSuggestion best{kSides.front(), 1.0};
     for (const int side : kSides) {
-        if (side > shorter / 2 || side / 2 > lag)
+        // Of the last quarter of the lags, what would be left out cannot be told.
+        if (side > kSides.front() && 2 * side > 3 * lag)
             break;
-        double beyond = 0.0;
-        for (auto ring = static_cast<std::size_t>(side / 2 + 1); ring < signal.size(); ++ring)
-            beyond += signal[ring];
-        best = {side, total > 0.0 ? std::sqrt(beyond / total) : 0.0};
+        const double beyond = std::reduce(signal.begin() + side / 2 + 1, signal.end());
+        best = {side, total > 0.0 ? std::sqrt(std::max(0.0, beyond / total)) : 0.0};
         if (best.error <= kSmallEnough)
             break;
     }

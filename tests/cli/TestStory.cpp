@@ -125,7 +125,7 @@ void TestStory::initTestCase() {
     run("sample wood -o wood.png --size 96x64 --seed 3");
     QCOMPARE(image("wood.png").size(), (Size{96, 64}));
     m_report = json("compute wood.png -o t.exr -o t.png -o t.texton --support 24x16 "
-                    "--iterations 20 --seed 7");
+                    "--method projections --iterations 20 --seed 7");
 }
 
 void TestStory::reportsTexton() {
@@ -210,7 +210,7 @@ void TestStory::threadsDoNotMatter() {
 
 void TestStory::repeatsItself() {
     run("compute wood.png -o again.exr -o again.png -o again.texton --support 24x16 "
-        "--iterations 20 --seed 7");
+        "--method projections --iterations 20 --seed 7");
     for (const char* ending : {"exr", "exr.json", "png", "png.json", "texton", "texton.json"})
         QVERIFY2(bytes(QString("again.%1").arg(ending)) == bytes(QString("t.%1").arg(ending)),
                  ending);
@@ -233,7 +233,7 @@ void TestStory::comparesItselfAsEqual() {
         const QJsonObject result = json(QString("compare %1 %1").arg(name));
         for (const char* key : {"mean_difference",
                                 "covariance_error",
-                                "autocorrelation_error",
+                                "color_covariance_error",
                                 "spectrum_difference_db"}) {
             QVERIFY2(result[key].isDouble() && std::abs(result[key].toDouble()) <= 1e-9, key);
         }
@@ -246,7 +246,7 @@ void TestStory::comparesNoise() {
     // A sample of 65536 pixels with features of some ten strays by that many percent.
     QVERIFY(result["mean_difference"].toDouble(1.0) < 0.05);
     QVERIFY(result["covariance_error"].toDouble(1.0) < 0.5);
-    QVERIFY(run("compare wood.png large.png").contains("autocorrelation"));
+    QVERIFY(run("compare wood.png large.png").contains("covariance error"));
 }
 
 void TestStory::describesFiles_data() {

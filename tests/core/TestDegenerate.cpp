@@ -50,7 +50,7 @@ Image scaled(Image image, double factor) {
 bool finite(const Comparison& result) {
     return allFinite(result.meanA) && allFinite(result.meanB) &&
            std::isfinite(result.meanDifference) && std::isfinite(result.covarianceError) &&
-           std::isfinite(result.autocovarianceError) && std::isfinite(result.spectrumDifference) &&
+           std::isfinite(result.colorCovarianceError) && std::isfinite(result.spectrumDifference) &&
            std::isfinite(result.relativeModelError.value_or(0.0));
 }
 
