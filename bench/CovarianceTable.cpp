@@ -73,10 +73,10 @@ std::optional<Timed> byFit(const GaussianModel& model, int side, int kernels) {
 /// The number of kernels is chosen inside the exemplar given.
 std::optional<Timed> byAutoFit(const Exemplar& exemplar, const GaussianModel& model, int side) {
     return timed(model, [&]() -> std::optional<Texton> {
-        const auto kernels = chooseKernels(exemplar, true, fitOf(side, 1));
-        if (!kernels)
+        const auto choice = chooseKernels(exemplar, true, fitOf(side, 1));
+        if (!choice)
             return std::nullopt;
-        auto fitted = fitTexton(model, fitOf(side, *kernels));
+        auto fitted = fitTexton(model, fitOf(side, choice->kernels));
         return fitted ? std::optional(std::move(*fitted)) : std::nullopt;
     });
 }

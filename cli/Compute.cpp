@@ -119,7 +119,8 @@ void addCompute(CLI::App& app, Session& session) {
         "The covariance error tells how far the texton's noise is from the material; at 1 x the\n"
         "floor it is as close as one half of the photograph is to all of it.\n"
         "With --method projections: the relative model error stays near 0.46 even for a perfect\n"
-        "texton, because it compares with one photograph, in which every wave's strength is random.");
+        "texton, because it compares with one photograph, in which every wave's strength is "
+        "random.");
     auto options = std::make_shared<Options>();
     addMaterialOptions(*command, options->exemplar);
     command

@@ -102,7 +102,8 @@ void addMaterialOptions(CLI::App& app, ExemplarOptions& options) {
                    if (!entry)
                        throw CLI::ValidationError(
                            "--stack",
-                           "'" + text + "' is not of the form NAME=FILE, such as height=stone_h.png");
+                           "'" + text +
+                               "' is not of the form NAME=FILE, such as height=stone_h.png");
                    options.stack.push_back(*entry);
                }
            },

@@ -6,14 +6,17 @@
 #include "cli/Report.h"
 #include "core/base/OutputFiles.h"
 #include "core/export/Exporter.h"
+#include "core/material/NormalMap.h"
 #include "core/mesh/BuiltinMeshes.h"
 #include "core/mesh/MeshIo.h"
 #include "gl/HeadlessContext.h"
+#include "gl/MaterialTextons.h"
 #include "gl/MeshMap.h"
 #include "gl/NoiseRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -48,6 +51,8 @@ struct Options {
     std::string filterName = "anisotropic";
     FilterChoice filter;
     bool unlit = false;
+    std::optional<std::string> map;
+    std::optional<std::vector<double>> light;
     NoiseOptions noise;
     bool json = false;
 
@@ -153,6 +158,60 @@ Result<View> makeView(const Options& options, NoiseRenderer& renderer) {
     return View(view);
 }
 
+/// What is drawn of a texton.
+struct Drawn {
+    std::shared_ptr<const Texton> texton;
+    std::shared_ptr<const Texton> relief; ///< of a shaded material
+    int channels = 3;
+    /// Of the picture, before it is written: normals are drawn as slopes.
+    std::function<Image(Image)> finish = [](Image picture) { return picture; };
+    std::string name; ///< of the map, or "material"; empty for plain textons
+};
+
+Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
+    const Texton& texton = asset.texton;
+    if (asset.maps.empty()) {
+        if (options.map || options.light)
+            return Error{ErrorCode::InvalidArgument,
+                         std::string(options.map ? "--map" : "--light") +
+                             " is for textons of stacks; " + quoted(options.texton) +
+                             " is one of a picture"};
+        const int channels = texton.channels() > 4 ? 3 : texton.channels();
+        Drawn drawn;
+        drawn.texton = std::make_shared<Texton>(firstChannels(texton, channels));
+        drawn.channels = channels;
+        return drawn;
+    }
+    const std::string name = options.map.value_or("material");
+    if (name == "material") {
+        auto material = materialTextons(texton, asset.maps);
+        Drawn drawn;
+        drawn.texton = std::move(material.base);
+        drawn.relief = std::move(material.relief);
+        drawn.name = name;
+        return drawn;
+    }
+    const auto known = std::ranges::find(asset.maps, name, &MaterialMap::name);
+    if (known == asset.maps.end()) {
+        std::string names = "material";
+        for (const MaterialMap& map : asset.maps)
+            names += ", " + map.name;
+        return Error{ErrorCode::InvalidArgument,
+                     "there is no map '" + name + "' in " + quoted(options.texton) +
+                         "; --map takes " + names};
+    }
+    const auto index = static_cast<std::size_t>(known - asset.maps.begin());
+    Drawn drawn;
+    drawn.texton = std::make_shared<Texton>(mapTexton(texton, asset.maps, index));
+    drawn.channels = drawn.texton->channels();
+    drawn.name = name;
+    if (isNormal(known->kind))
+        drawn.finish = [yDown = known->kind == MapKind::NormalYDown](Image picture) {
+            return normalsOfSlopes(picture, yDown);
+        };
+    return drawn;
+}
+
 /// Milliseconds per frame: the median of up to nine more within about two seconds. The first frame,
 /// with all its preparations, counts only where it alone took longer than that.
 Result<double>
@@ -196,9 +255,16 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     style.supersampling = options.filter.supersampling;
 
     const Texton& texton = asset->texton;
-    const int channels = texton.channels() > 4 ? 3 : texton.channels();
+    const auto drawn = whatToDraw(options, *asset);
+    if (!drawn)
+        return drawn.error();
+    if (options.light) {
+        style.light.azimuth = (*options.light)[0] * std::numbers::pi / 180.0;
+        style.light.elevation = (*options.light)[1] * std::numbers::pi / 180.0;
+    }
     NoiseRenderer renderer;
-    renderer.setTexton(std::make_shared<Texton>(firstChannels(texton, channels)));
+    renderer.setTexton(drawn->texton);
+    renderer.setRelief(drawn->relief);
     const auto view = makeView(options, renderer);
     if (!view)
         return view.error();
@@ -206,9 +272,9 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     if (!target)
         return target.error();
     const auto draw = [&]() -> Result<void> {
-        auto drawn = renderer.draw(context->gl(), *view, style, *target);
+        auto done = renderer.draw(context->gl(), *view, style, *target);
         context->finish();
-        return drawn;
+        return done;
     };
     Stopwatch watch;
     {
@@ -217,14 +283,14 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
             return ok.error();
     }
     const double first = 1000.0 * watch.lap();
-    const Image picture = target->read(channels, texton.transfer);
+    const Image picture = drawn->finish(target->read(drawn->channels, texton.transfer));
     if (cancel.cancelled())
         return Error{ErrorCode::Cancelled, "stopped"};
     if (auto ok = saveImage(picture, options.output, options.save); !ok)
         return ok.error();
     if (!options.json) {
-        if (channels < texton.channels())
-            std::cout << "drawn are the first " << channels << " of " << texton.channels()
+        if (drawn->name.empty() && drawn->channels < texton.channels())
+            std::cout << "drawn are the first " << drawn->channels << " of " << texton.channels()
                       << " channels\n";
         printWritten({&options.output, 1});
         return {};
@@ -235,7 +301,9 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     nlohmann::ordered_json json;
     json["width"] = options.size.width;
     json["height"] = options.size.height;
-    json["channels"] = channels;
+    json["channels"] = picture.channels();
+    if (!drawn->name.empty())
+        json["map"] = drawn->name;
     json["texton_channels"] = texton.channels();
     json["view"] = options.view;
     json["filter"] = options.filterName;
@@ -328,6 +396,25 @@ void addRender(CLI::App& app, Session& session) {
             "driver's own), or supersample:N (N x N points a pixel, slow and exact)")
         ->type_name("FILTER");
     command->add_flag("--unlit", options->unlit, "Meshes without light and shade");
+    command
+        ->add_option("--map",
+                     options->map,
+                     "Of a stack: material (all maps under a light) or the name of one map "
+                     "(default: material)")
+        ->type_name("NAME");
+    addParsed(
+        *command,
+        "--light",
+        options->light,
+        [](const std::string& text) -> std::optional<std::optional<std::vector<double>>> {
+            auto angles = parseNumbers(text, 2, 2);
+            if (!angles || (*angles)[1] < 0.0 || (*angles)[1] > 90.0)
+                return std::nullopt;
+            return angles;
+        },
+        "AZIMUTH,ELEVATION",
+        "Where the light of a material comes from, in degrees: from the right is 0,0, from the eye "
+        "0,90 (default: 135,45)");
     addNoiseOptions(*command, options->noise, "--seed", "; twice that for --view surface");
     addDepth(*command, options->save);
     command->add_flag("--json",

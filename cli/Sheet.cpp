@@ -82,8 +82,7 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const auto gaussian = sampleGaussian(model, GaussianMethod::Adsn, Seed{options.solve.seed});
     const std::string noiseName = "Texton noise, " + std::string(toString(params.process)) +
                                   ", MNI " + shortNumber(params.meanImpacts);
-    const std::string title =
-        exemplar->name + (solved->dial ? ": " + inWords(*solved->dial) : "");
+    const std::string title = exemplar->name + (solved->dial ? ": " + inWords(*solved->dial) : "");
     const auto sheet =
         contactSheet(title, panels(*exemplar, gaussian, texton, *noise, shown, noiseName));
     if (!sheet)

@@ -47,10 +47,14 @@ void addSolveOptions(CLI::App& app, SolveOptions& options) {
         ->type_name("auto|N")
         ->check(CLI::IsMember({"auto"}) | CLI::Range(1, 16))
         ->capture_default_str();
-    app.add_option("--iterations", options.iterations, "Of projections: more are slower and a little better")
+    app.add_option("--iterations",
+                   options.iterations,
+                   "Of projections: more are slower and a little better")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    app.add_option("--momentum", options.momentum, "Of projections: 0 for the papers' plain iteration, below 1")
+    app.add_option("--momentum",
+                   options.momentum,
+                   "Of projections: 0 for the papers' plain iteration, below 1")
         ->check(between(0.0, 0.999))
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Another number gives another, equally good result")
@@ -81,8 +85,7 @@ Result<Solved> solve(const Exemplar& exemplar,
     if (disc && support.width != support.height)
         return Error{ErrorCode::InvalidArgument, "a disc needs one number for --support"};
     ComputeParams params;
-    params.method =
-        options.method == "fit" ? TextonMethod::Fit : TextonMethod::Projections;
+    params.method = options.method == "fit" ? TextonMethod::Fit : TextonMethod::Projections;
     params.support = Support::rectangle(support);
     const Size domain = model.domain();
     // A disc that does not fit is refused below for its size, before its mask takes any memory.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 
 namespace txn {
 
@@ -24,6 +25,15 @@ glm::vec3 towardsLight(const OrbitCamera& camera) {
     const double yaw = camera.yaw - 0.7;
     const double pitch = 0.8;
     return {std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw)};
+}
+
+/// From what is to the right, up and towards the eye to the mesh's coordinates.
+glm::dmat3 fromView(const OrbitCamera& camera) {
+    const glm::dvec3 back{std::cos(camera.pitch) * std::sin(camera.yaw),
+                          std::sin(camera.pitch),
+                          std::cos(camera.pitch) * std::cos(camera.yaw)};
+    const glm::dvec3 right{std::cos(camera.yaw), 0.0, -std::sin(camera.yaw)};
+    return {right, glm::cross(back, right), back};
 }
 
 } // namespace
@@ -99,6 +109,7 @@ Result<void> MeshPass::draw(const NoiseSource& source,
     addNoiseDefines(defines, source.style.noise);
     for (auto& define : mappingDefines(surface))
         defines.push_back(std::move(define));
+    addMaterialDefines(defines, source);
     defines.emplace_back("TXN_SMOOTH", smooth ? "1" : "0");
     auto program = m_noise.get(context, defines);
     if (!program)
@@ -112,7 +123,13 @@ Result<void> MeshPass::draw(const NoiseSource& source,
         setNoiseUniforms(shader, source.texton, source.style.noise);
     shader.set("lighting", view.lighting ? 1 : 0);
     shader.set("encoded", source.texton.transfer == Transfer::Encoded ? 1 : 0);
-    shader.set("toLight", towardsLight(view.camera));
+    if (source.reliefTexture == 0) {
+        shader.set("toLight", towardsLight(view.camera));
+    } else {
+        const glm::dmat3 toMesh = fromView(view.camera);
+        applyMaterial(shader, source, toMesh * source.style.light.direction());
+        shader.set("toEye", glm::vec3(toMesh[2])); // as if from far away
+    }
     shader.set("background", pictureColor(view.background, source.texton.transfer));
     int unit = kFirstUnit;
     for (const char* name : {"seenPoint", "seenNormal", "seenRight", "seenSteps", "coverage"})

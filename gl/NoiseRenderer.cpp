@@ -23,16 +23,23 @@ struct NoiseRenderer::MeshData {
     bool hasTextureCoordinates = false;
 };
 
+/// A texton, and what of it is on the card.
+struct NoiseRenderer::CardTexton {
+    std::shared_ptr<const Texton> texton;
+    std::optional<GpuTexton> exact;
+    std::optional<GpuTexton> filtered;
+};
+
 /// All that lives in one context, and what it was made from.
 struct NoiseRenderer::Card {
     std::weak_ptr<const void> life;
-    std::shared_ptr<const Texton> texton;
     std::shared_ptr<const MeshData> mesh;
 
-    std::optional<GpuTexton> exactTexton;
-    std::optional<GpuTexton> filteredTexton;
+    CardTexton base;
+    CardTexton relief;
     std::optional<GpuMesh> gpuMesh;
     OffscreenTarget sample;
+    OffscreenTarget reliefPicture;
     PlanePass plane;
     TilePass tiles;
     MeshPass meshes;
@@ -46,7 +53,13 @@ struct NoiseRenderer::Card {
     Result<void> drawOnce(const NoiseSource& source,
                           const View& view,
                           const OffscreenTarget& target,
-                          glm::dvec2 shift);
+                          glm::dvec2 shift,
+                          bool smoothOutlines = true);
+    /// With its relief, where there is one, drawn first.
+    Result<void> drawShaded(NoiseSource source,
+                            const View& view,
+                            const OffscreenTarget& target,
+                            glm::dvec2 shift);
     /// Supersampled.
     Result<void>
     drawAveraged(const NoiseSource& source, const View& view, const OffscreenTarget& target);
@@ -121,6 +134,10 @@ void NoiseRenderer::setTexton(std::shared_ptr<const Texton> texton) {
     m_texton = std::move(texton);
 }
 
+void NoiseRenderer::setRelief(std::shared_ptr<const Texton> relief) {
+    m_relief = std::move(relief);
+}
+
 void NoiseRenderer::setMesh(std::shared_ptr<const TriangleMesh> mesh) {
     m_mesh.reset();
     if (!mesh)
@@ -135,6 +152,22 @@ void NoiseRenderer::setMesh(std::shared_ptr<const TriangleMesh> mesh) {
     m_mesh = std::move(data);
 }
 
+Result<void> NoiseRenderer::upload(const GlContext& context,
+                                   CardTexton& card,
+                                   const std::shared_ptr<const Texton>& texton,
+                                   bool filtered) {
+    if (card.texton != texton)
+        card = {texton, {}, {}};
+    auto& wanted = filtered ? card.filtered : card.exact;
+    if (!texton || wanted)
+        return {};
+    auto made = GpuTexton::create(context, *texton, filtered);
+    if (!made)
+        return made.error();
+    wanted = std::move(*made);
+    return {};
+}
+
 Result<void>
 NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseStyle& style) {
     if (m_card && !m_card->belongsTo(context)) {
@@ -146,19 +179,11 @@ NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseSt
     }
     if (!m_card)
         m_card = std::make_unique<Card>(context);
-    if (m_card->texton != m_texton) {
-        m_card->exactTexton.reset();
-        m_card->filteredTexton.reset();
-        m_card->texton = m_texton;
-    }
     const bool filtered = style.filter != Filter::None;
-    auto& texton = filtered ? m_card->filteredTexton : m_card->exactTexton;
-    if (!texton) {
-        auto made = GpuTexton::create(context, *m_texton, filtered);
-        if (!made)
-            return made.error();
-        texton = std::move(*made);
-    }
+    if (auto ok = upload(context, m_card->base, m_texton, filtered); !ok)
+        return ok.error();
+    if (auto ok = upload(context, m_card->relief, m_relief, filtered); !ok)
+        return ok.error();
     if (std::holds_alternative<MeshView>(view) && m_card->mesh != m_mesh) {
         m_card->gpuMesh.reset();
         m_card->mesh.reset();
@@ -175,7 +200,8 @@ NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseSt
 Result<void> NoiseRenderer::Card::drawOnce(const NoiseSource& source,
                                            const View& view,
                                            const OffscreenTarget& target,
-                                           glm::dvec2 shift) {
+                                           glm::dvec2 shift,
+                                           bool smoothOutlines) {
     target.bind();
     const Size size = target.size();
     if (const auto* above = std::get_if<PlaneView>(&view)) {
@@ -188,9 +214,39 @@ Result<void> NoiseRenderer::Card::drawOnce(const NoiseSource& source,
     }
     if (const auto* ground = std::get_if<GroundView>(&view))
         return plane.draw(source, *ground, size, shift);
-    const bool smooth = source.style.filter != Filter::None && source.style.supersampling == 1;
+    const bool smooth =
+        smoothOutlines && source.style.filter != Filter::None && source.style.supersampling == 1;
     return meshes
         .draw(source, std::get<MeshView>(view), *gpuMesh, mesh->shape, target, shift, smooth);
+}
+
+Result<void> NoiseRenderer::Card::drawShaded(NoiseSource source,
+                                             const View& view,
+                                             const OffscreenTarget& target,
+                                             glm::dvec2 shift) {
+    if (!relief.texton)
+        return drawOnce(source, view, target, shift);
+    if (!reliefPicture || reliefPicture.size() != target.size()) {
+        reliefPicture = {};
+        auto made = OffscreenTarget::create(source.context, target.size());
+        if (!made)
+            return made.error();
+        reliefPicture = std::move(*made);
+    }
+    const bool filtered = source.style.filter != Filter::None;
+    const NoiseSource maps{source.context,
+                           *relief.texton,
+                           filtered ? *relief.filtered : *relief.exact,
+                           source.style};
+    View plain = view;
+    if (auto* onMesh = std::get_if<MeshView>(&plain))
+        onMesh->lighting = false;
+    if (auto ok = drawOnce(maps, plain, reliefPicture, shift, false); !ok)
+        return ok.error();
+    source.reliefTexture = reliefPicture.colorTexture();
+    auto result = drawOnce(source, view, target, shift);
+    unbindMaterial();
+    return result;
 }
 
 Result<void> NoiseRenderer::Card::drawAveraged(const NoiseSource& source,
@@ -210,7 +266,7 @@ Result<void> NoiseRenderer::Card::drawAveraged(const NoiseSource& source,
     for (int y = 0; y < n; ++y) {
         for (int x = 0; x < n; ++x) {
             const glm::dvec2 shift = (glm::dvec2(x, y) + 0.5) / static_cast<double>(n) - 0.5;
-            if (auto ok = drawOnce(source, view, sample, shift); !ok)
+            if (auto ok = drawShaded(source, view, sample, shift); !ok)
                 return ok.error();
             target.bind();
             if (auto ok = average.add(source.context, sample, share); !ok)
@@ -247,10 +303,10 @@ Result<void> NoiseRenderer::draw(const GlContext& context,
     const bool filtered = style.filter != Filter::None;
     const NoiseSource source{context,
                              *m_texton,
-                             filtered ? *m_card->filteredTexton : *m_card->exactTexton,
+                             filtered ? *m_card->base.filtered : *m_card->base.exact,
                              style};
     auto result = style.supersampling > 1 ? m_card->drawAveraged(source, view, target)
-                                          : m_card->drawOnce(source, view, target, {0.0, 0.0});
+                                          : m_card->drawShaded(source, view, target, {0.0, 0.0});
     GpuTexton::unbind();
     glUseProgram(0);
     return result;

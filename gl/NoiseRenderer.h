@@ -27,6 +27,9 @@ class NoiseRenderer {
     /// texton: 1 to 4 channels, shown as grey (1), as red and green (2), as colours (3), as colours
     /// and alpha (4).
     void setTexton(std::shared_ptr<const Texton> texton);
+    /// Set: the texton's first four channels are the base of a material, which is shaded under the
+    /// style's light (see MaterialTextons). Null: nothing is shaded but meshes.
+    void setRelief(std::shared_ptr<const Texton> relief);
     /// For mesh views. Computes its tangent field, which may take a moment.
     void setMesh(std::shared_ptr<const TriangleMesh> mesh);
 
@@ -50,9 +53,16 @@ class NoiseRenderer {
     struct Card;
     struct MeshData;
 
+    struct CardTexton;
+
+    static Result<void> upload(const GlContext& context,
+                               CardTexton& card,
+                               const std::shared_ptr<const Texton>& texton,
+                               bool filtered);
     Result<void> prepare(const GlContext& context, const View& view, const NoiseStyle& style);
 
     std::shared_ptr<const Texton> m_texton;
+    std::shared_ptr<const Texton> m_relief;
     std::shared_ptr<const MeshData> m_mesh;
     std::unique_ptr<Card> m_card;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/noise/NoiseParams.h"
+#include "gl/Light.h"
 
 namespace txn {
 
@@ -27,6 +28,7 @@ struct NoiseStyle {
     /// N: a pixel is the average of N x N points, drawn one after the other.
     int supersampling = 1;
     PlaneMethod planeMethod = PlaneMethod::Automatic;
+    Light light; ///< of shaded materials
 
     bool operator==(const NoiseStyle&) const = default;
 };

@@ -56,6 +56,8 @@ GroundMap groundMap(const GroundView& view, Size size) {
     map.middle = seen(focal * forward + offset.x * right + offset.y * down);
     map.right = seen(right);
     map.down = seen(down);
+    map.eye = {eye, height};
+    map.fromView = {right, -down, -forward};
     return map;
 }
 

@@ -5,6 +5,7 @@
 #include "gl/View.h"
 
 #include <glm/mat2x2.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -28,6 +29,8 @@ struct GroundMap {
     glm::dvec3 middle;
     glm::dvec3 right;
     glm::dvec3 down;
+    glm::dvec3 eye;      ///< in exemplar pixels from the base: x, y and height
+    glm::dmat3 fromView; ///< from what is to the right, up and towards the eye to x, y and height
 };
 [[nodiscard]] GroundMap groundMap(const GroundView& view, Size size);
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <epoxy/gl.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace txn {
 namespace {
@@ -29,10 +31,52 @@ glm::dvec2 coarse(glm::dvec2 value, double largest) {
 
 } // namespace
 
+namespace {
+
+constexpr int kReliefUnit = 7; ///< above those of all passes
+
+}
+
+void addMaterialDefines(ShaderDefines& defines, const NoiseSource& source) {
+    defines.emplace_back("TXN_MATERIAL", source.reliefTexture != 0 ? "1" : "0");
+}
+
+void applyMaterial(ShaderProgram& shader, const NoiseSource& source, const glm::dvec3& toLight) {
+    if (source.reliefTexture == 0)
+        return;
+    glActiveTexture(GL_TEXTURE0 + kReliefUnit);
+    glBindTexture(GL_TEXTURE_2D, source.reliefTexture);
+    glActiveTexture(GL_TEXTURE0);
+    shader.set("relief", kReliefUnit);
+    shader.set("toLight", glm::vec3(toLight));
+}
+
+void unbindMaterial() {
+    glActiveTexture(GL_TEXTURE0 + kReliefUnit);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void applyPlaneMaterial(ShaderProgram& shader,
+                        const NoiseSource& source,
+                        glm::dvec2 right,
+                        glm::dvec2 down) {
+    applyMaterial(shader, source, source.style.light.direction());
+    // The exemplar's axes on the picture, whose y points down and the viewer's up.
+    const glm::dmat2 toPicture = glm::inverse(glm::dmat2(right, down));
+    const auto seen = [&](const glm::dvec2& axis) {
+        const glm::dvec2 unit = glm::normalize(toPicture * axis);
+        return glm::vec3(unit.x, -unit.y, 0.0);
+    };
+    shader.set("surfaceX", seen({1.0, 0.0}));
+    shader.set("surfaceY", seen({0.0, 1.0}));
+}
+
 Result<void>
 PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift) {
     ShaderDefines defines = source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom);
     addNoiseDefines(defines, source.style.noise);
+    addMaterialDefines(defines, source);
     auto program = m_above.get(source.context, defines);
     if (!program)
         return program.error();
@@ -42,6 +86,7 @@ PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm
     const ImpulseProcess impulses = source.impulses();
     const PlaneMap map = planeMap(view, size);
     source.gpu.applyOneScale(shader, source.context, source.style.filter, map.right, map.down);
+    applyPlaneMaterial(shader, source, map.right, map.down);
     setBase(shader, impulses, map.middle + shift.x * map.right + shift.y * map.down);
     const glm::dvec2 cell{impulses.cellWidth(), impulses.cellHeight()};
     const glm::dvec2 right = map.right / cell;
@@ -64,6 +109,7 @@ Result<void>
 PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, glm::dvec2 shift) {
     ShaderDefines defines = source.gpu.defines(source.context, source.style.filter);
     addNoiseDefines(defines, source.style.noise);
+    addMaterialDefines(defines, source);
     auto program = m_ground.get(source.context, defines);
     if (!program)
         return program.error();
@@ -73,6 +119,8 @@ PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, gl
     setNoiseUniforms(shader, source.texton, source.style.noise);
     const ImpulseProcess impulses = source.impulses();
     const GroundMap map = groundMap(view, size);
+    applyMaterial(shader, source, map.fromView * source.style.light.direction());
+    shader.set("eye", glm::vec3(map.eye));
     setBase(shader, impulses, map.base);
     shader.set("middle", middlePixel(size));
     shader.set("height", size.height);

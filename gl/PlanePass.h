@@ -9,6 +9,7 @@
 #include "gl/View.h"
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace txn {
 
@@ -18,12 +19,27 @@ struct NoiseSource {
     const Texton& texton;
     const GpuTexton& gpu;
     const NoiseStyle& style;
+    /// Where a material is shaded: a picture of its relief (see MaterialTextons), of the same size,
+    /// drawn before; 0 otherwise.
+    unsigned reliefTexture = 0;
 
     /// Of the plane.
     ImpulseProcess impulses() const {
         return {style.noise, texton.footprint(), texton.kernelCount()};
     }
 };
+
+/// Adds what shaders have to be compiled with for the source's material, or for none.
+void addMaterialDefines(ShaderDefines& defines, const NoiseSource& source);
+/// Binds the relief, if there is one, and tells the shader where the light is, in its coordinates.
+void applyMaterial(ShaderProgram& shader, const NoiseSource& source, const glm::dvec3& toLight);
+/// Leaves its texture unit empty.
+void unbindMaterial();
+/// The same for planes seen from above.
+void applyPlaneMaterial(ShaderProgram& shader,
+                        const NoiseSource& source,
+                        glm::dvec2 right,
+                        glm::dvec2 down);
 
 /// Draws noise of the plane by evaluating it in every pixel: from above, and to the horizon.
 /// Move-only.

@@ -162,13 +162,15 @@ TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm:
     if (lists.entries.empty())
         lists.entries.emplace_back(); // a buffer may not be empty
 
-    auto program =
-        m_shaders.get(context, source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom));
+    ShaderDefines defines = source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom);
+    addMaterialDefines(defines, source);
+    auto program = m_shaders.get(context, defines);
     if (!program)
         return program.error();
     ShaderProgram& shader = **program;
     shader.use();
     source.gpu.applyOneScale(shader, context, source.style.filter, map.right, map.down);
+    applyPlaneMaterial(shader, source, map.right, map.down);
     const ChannelScale scale = channelScale(normalization(source.texton, impulses));
     shader.set("txnGain", scale.gain);
     shader.set("txnOffset", scale.offset);

@@ -35,8 +35,7 @@ Result<Image> readImage(CborReader reader, Transfer transfer) {
     const Error damaged{ErrorCode::Unreadable, "damaged: the texton is not whole"};
     const auto width = static_cast<int>(reader.integer("width", 1, kMaxTextonSide, 0));
     const auto height = static_cast<int>(reader.integer("height", 1, kMaxTextonSide, 0));
-    const auto channels =
-        static_cast<int>(reader.integer("channels", 1, kMaxExemplarChannels, 0));
+    const auto channels = static_cast<int>(reader.integer("channels", 1, kMaxExemplarChannels, 0));
     const QByteArray bytes = reader.bytes("samples");
     if (!reader.isGood() || width < 1 || height < 1 || channels < 1 ||
         bytes.size() != static_cast<qsizetype>(sizeof(float)) * width * height * channels)
@@ -167,8 +166,7 @@ bool readView(CborReader reader, ViewState& view) {
     view.pitch = reader.number("pitch", -1.6, 1.6, view.pitch);
     view.distance = reader.number("distance", 0.01, 100.0, view.distance);
     if (reader.has("channel"))
-        view.channel =
-            static_cast<int>(reader.integer("channel", 0, kMaxExemplarChannels - 1, 0));
+        view.channel = static_cast<int>(reader.integer("channel", 0, kMaxExemplarChannels - 1, 0));
     return reader.isGood();
 }
 

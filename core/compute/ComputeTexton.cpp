@@ -41,12 +41,13 @@ class Computation {
             params.channelWeights = channelWeights(m_exemplar);
         const int most = mostTrialKernels(m_model.channels());
         const double trials = m_params.kernels ? 0.0 : workOfAll(most);
+        std::vector<double> trialErrors;
         // The trials end with the number of kernels; until then it may be any.
         const double all = trials + workOf(m_params.kernels.value_or(most));
         if (m_params.kernels) {
             params.kernels = *m_params.kernels;
         } else {
-            const auto chosen = chooseKernels(
+            auto chosen = chooseKernels(
                 m_exemplar,
                 m_model.isPeriodicComponent(),
                 params,
@@ -57,7 +58,8 @@ class Computation {
                 m_cancel);
             if (!chosen)
                 return chosen.error();
-            params.kernels = *chosen;
+            params.kernels = chosen->kernels;
+            trialErrors = std::move(chosen->errors);
         }
         double error = 0.0;
         auto fitted = fitTexton(
@@ -71,7 +73,10 @@ class Computation {
             m_cancel);
         if (!fitted)
             return fitted.error();
-        return ComputedTexton{corrected(std::move(*fitted)), error, std::nullopt};
+        return ComputedTexton{corrected(std::move(*fitted)),
+                              error,
+                              std::move(trialErrors),
+                              std::nullopt};
     }
 
     Result<ComputedTexton> project() const {
@@ -96,10 +101,9 @@ class Computation {
                  1,
                  false);
         }
-        ComputedTexton result{corrected(solver->texton()), solver->relativeModelError(), {}};
-        result.relativeModelError = m_params.colorCorrection
-                                        ? solver->relativeModelError(result.texton)
-                                        : result.error;
+        ComputedTexton result{corrected(solver->texton()), solver->relativeModelError(), {}, {}};
+        result.relativeModelError =
+            m_params.colorCorrection ? solver->relativeModelError(result.texton) : result.error;
         return result;
     }
 
@@ -110,13 +114,9 @@ class Computation {
     }
     void tell(const TextonProgress& now, double share, int kernels, bool choosing = true) const {
         if (m_observe)
-            m_observe({share,
-                       choosing,
-                       kernels,
-                       now.iteration,
-                       now.iterations,
-                       now.error,
-                       [&] { return corrected(now.texton()); }});
+            m_observe({share, choosing, kernels, now.iteration, now.iterations, now.error, [&] {
+                           return corrected(now.texton());
+                       }});
     }
 
     const Exemplar& m_exemplar;

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace txn {
 
@@ -25,11 +26,11 @@ enum class TextonMethod { Fit, Projections };
 struct ComputeParams {
     TextonMethod method = TextonMethod::Fit;
     Support support = Support::rectangle({64, 64});
-    int interpolationOrder = 1;    ///< 0, 1, 3 or 5
-    std::optional<int> kernels;    ///< of a fit, 1 to 16; unset: chosen by a trial
-    int iterations = 50;           ///< of projections, 1 to 100000
-    double momentum = 0.9;         ///< of projections, 0 to below 1
-    bool colorCorrection = true;   ///< colour covariance at lag 0 made exact afterwards
+    int interpolationOrder = 1;  ///< 0, 1, 3 or 5
+    std::optional<int> kernels;  ///< of a fit, 1 to 16; unset: chosen by a trial
+    int iterations = 50;         ///< of projections, 1 to 100000
+    double momentum = 0.9;       ///< of projections, 0 to below 1
+    bool colorCorrection = true; ///< colour covariance at lag 0 made exact afterwards
     Seed seed;
 };
 
@@ -52,6 +53,8 @@ struct ComputedTexton {
     Texton texton;
     /// What the method made small, before colour correction: see TextonProgress.
     double error = 0.0;
+    /// Where the number of kernels was chosen: see KernelChoice.
+    std::vector<double> trialErrors{};
     /// Of projections, after colour correction (equal without).
     std::optional<double> relativeModelError;
 };

@@ -102,7 +102,8 @@ std::vector<std::string> layerNames(const TextonAsset& asset) {
 }
 
 /// The files that hold the samples of a texton that is written to path.
-std::vector<fs::path> pictureFiles(const fs::path& path, TextonFormat format, const MaterialMaps& maps) {
+std::vector<fs::path>
+pictureFiles(const fs::path& path, TextonFormat format, const MaterialMaps& maps) {
     if (format != TextonFormat::Png || maps.empty())
         return {path};
     std::vector<fs::path> files;
@@ -388,7 +389,8 @@ Result<TextonAsset> loadTextonText(const fs::path& path) {
 }
 
 /// The picture that the PNGs of a set would be in one file.
-Result<LoadedImage> loadSet(const fs::path& path, const MaterialMaps& maps, const LoadOptions& options) {
+Result<LoadedImage>
+loadSet(const fs::path& path, const MaterialMaps& maps, const LoadOptions& options) {
     std::optional<LoadedImage> whole;
     int next = 0;
     for (const MaterialMap& map : maps) {
@@ -468,7 +470,9 @@ Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path&
     if (path.extension() == ".json")
         return loadTextonOrImage(fs::path(path).replace_extension(), options);
     const auto format = formatForPath(path);
-    if (format && *format == TextonFormat::Png && !fs::exists(path) && hasSidecar(path)) {
+    std::error_code unknown; // of names too long, say: loadImage tells
+    if (format && *format == TextonFormat::Png && !fs::exists(path, unknown) && !unknown &&
+        hasSidecar(path)) {
         auto description = readSidecar(path);
         if (!description)
             return description.error();

@@ -17,14 +17,13 @@ struct Exemplar {
     static constexpr float kLargestSample = 1e12F;
 
     Image image;
-    std::string name; ///< for messages and metadata: the file's name without folders
+    std::string name;    ///< for messages and metadata: the file's name without folders
     MaterialMaps maps{}; ///< of a stack; empty for a plain picture
 };
 
 /// Errors: Unsupported for too many channels; Degenerate for NaN, infinite or huge samples (the
 /// message says where the first one is); SizeMismatch for maps of other numbers of channels.
 /// Thread-safe.
-[[nodiscard]] Result<Exemplar>
-makeExemplar(Image image, std::string name, MaterialMaps maps = {});
+[[nodiscard]] Result<Exemplar> makeExemplar(Image image, std::string name, MaterialMaps maps = {});
 
 } // namespace txn

@@ -79,9 +79,8 @@ Result<MapStack> stackMaps(std::vector<MapPicture> pictures) {
                          "'" + picture.file + "' is " + sizeText(size) + " and '" +
                              pictures.front().file + "' is " + sizeText(first) +
                              "; the maps of a material must match pixel for pixel"};
-        if (std::ranges::any_of(stack.maps, [&](const MaterialMap& map) {
-                return map.name == picture.name;
-            }))
+        if (std::ranges::any_of(stack.maps,
+                                [&](const MaterialMap& map) { return map.name == picture.name; }))
             return Error{ErrorCode::InvalidArgument,
                          "there are two maps called '" + picture.name + "'; the second one is '" +
                              picture.file + "'"};

@@ -137,7 +137,10 @@ std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind) {
 
 namespace {
 
-void addNames(const std::string& map, int channels, const char* letters3, std::vector<std::string>& to) {
+void addNames(const std::string& map,
+              int channels,
+              const char* letters3,
+              std::vector<std::string>& to) {
     for (int c = 0; c < channels; ++c) {
         if (channels == 1)
             to.push_back(map);

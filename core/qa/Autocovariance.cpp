@@ -97,10 +97,10 @@ Autocovariance Autocovariance::weighted(const std::vector<double>& weights) cons
         for (int j = 0; j < m_channels; ++j) {
             const double factor =
                 weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)];
-            const auto begin =
-                result.m_values.begin() + static_cast<std::ptrdiff_t>(index(i, j, -m_maxLag, -m_maxLag));
-            const auto end =
-                result.m_values.begin() + static_cast<std::ptrdiff_t>(index(i, j, m_maxLag, m_maxLag)) + 1;
+            const auto begin = result.m_values.begin() +
+                               static_cast<std::ptrdiff_t>(index(i, j, -m_maxLag, -m_maxLag));
+            const auto end = result.m_values.begin() +
+                             static_cast<std::ptrdiff_t>(index(i, j, m_maxLag, m_maxLag)) + 1;
             std::for_each(begin, end, [factor](double& v) { v *= factor; });
         }
     }

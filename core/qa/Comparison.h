@@ -16,14 +16,14 @@ namespace txn {
 struct Comparison {
     std::vector<double> meanA;
     std::vector<double> meanB;
-    double meanDifference = 0.0;      ///< largest over the channels, in sample values
+    double meanDifference = 0.0;  ///< largest over the channels, in sample values
     int lag = 0;                  ///< up to which the next two look
     double covarianceError = 0.0; ///< of the C x C covariances at all lags up to lag
     /// What chance leaves of it: see CovarianceError. Of A if that is a picture, else of B; unset
     /// for two textons, and for a picture too small for its halves to be compared.
     std::optional<double> covarianceErrorFloor;
     double colorCovarianceError = 0.0; ///< of the C x C covariance at lag 0 alone, Frobenius norm
-    double spectrumDifference = 0.0;  ///< of the radial power spectra, decibels (root mean square)
+    double spectrumDifference = 0.0;   ///< of the radial power spectra, decibels (root mean square)
     std::optional<double> relativeModelError; ///< where one is a picture and the other a texton
 };
 

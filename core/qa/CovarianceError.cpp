@@ -14,10 +14,8 @@ namespace {
 constexpr int kSmallest = 4;
 
 /// |C_1 - C_2| of the two halves.
-double betweenHalves(const Image& image,
-                     bool leftRight,
-                     int lag,
-                     const std::vector<double>& weights) {
+double
+betweenHalves(const Image& image, bool leftRight, int lag, const std::vector<double>& weights) {
     const int half = leftRight ? image.width() / 2 : image.height() / 2;
     const Size size = leftRight ? Size{half, image.height()} : Size{image.width(), half};
     const int x = leftRight ? image.width() - half : 0;

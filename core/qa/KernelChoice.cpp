@@ -20,11 +20,11 @@ int mostTrialKernels(int channels) {
     return channels > 3 ? std::min(channels, kMostForStacks) : 2;
 }
 
-Result<int> chooseKernels(const Exemplar& exemplar,
-                          bool periodic,
-                          const LeastSquaresParams& params,
-                          const KernelTrialObserver& observe,
-                          const CancelToken& cancel) {
+Result<KernelChoice> chooseKernels(const Exemplar& exemplar,
+                                   bool periodic,
+                                   const LeastSquaresParams& params,
+                                   const KernelTrialObserver& observe,
+                                   const CancelToken& cancel) {
     const Image& image = exemplar.image;
     const Size support = params.support.size();
     const bool leftRight = image.width() >= image.height();
@@ -32,7 +32,7 @@ Result<int> chooseKernels(const Exemplar& exemplar,
                                 : Size{image.width(), image.height() / 2};
     const int lag = std::min(support.width, support.height) / 2;
     if (half.width < support.width || half.height < support.height)
-        return 1; // nothing to try on
+        return KernelChoice{}; // nothing to try on
     auto training = crop(image, {0, 0, half});
     const auto rest = crop(image, {image.width() - half.width, image.height() - half.height, half});
     const GaussianModel model(Exemplar{std::move(*training), exemplar.name}, periodic);
@@ -43,6 +43,7 @@ Result<int> chooseKernels(const Exemplar& exemplar,
                                              : covariance.weighted(params.channelWeights);
     };
     const auto target = weighted(unseen);
+    const double norm = target.norm(target.maxLag());
     std::vector<double> errors;
     for (int kernels = 1; kernels <= mostTrialKernels(image.channels()); ++kernels) {
         LeastSquaresParams trial = params;
@@ -58,14 +59,15 @@ Result<int> chooseKernels(const Exemplar& exemplar,
         if (!fitted)
             return fitted.error();
         const Texton corrected = colorCorrected(*fitted, model.covariance());
-        errors.push_back(weighted(autocovariance(corrected, target.maxLag()))
-                             .distance(target, target.maxLag()));
+        errors.push_back(
+            weighted(autocovariance(corrected, target.maxLag())).distance(target, target.maxLag()) /
+            norm);
     }
     const double best = *std::min_element(errors.begin(), errors.end());
     const auto chosen = std::find_if(errors.begin(), errors.end(), [&](double error) {
         return error <= kAsGood * best;
     });
-    return static_cast<int>(chosen - errors.begin()) + 1;
+    return KernelChoice{static_cast<int>(chosen - errors.begin()) + 1, std::move(errors)};
 }
 
 } // namespace txn

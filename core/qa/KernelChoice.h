@@ -10,6 +10,13 @@ namespace txn {
 /// The most kernels that are tried for so many channels.
 [[nodiscard]] int mostTrialKernels(int channels);
 
+struct KernelChoice {
+    int kernels = 1;
+    /// Of 1, 2, ... kernels: |C_alpha - C| / |C| on the half that the fit has not seen. Empty where
+    /// there was nothing to try on.
+    std::vector<double> errors;
+};
+
 using KernelTrialObserver = std::function<void(int kernels, const TextonProgress&)>;
 
 /// The number of kernels by a trial: fits 1, 2 and, for more than three channels, up to
@@ -18,10 +25,10 @@ using KernelTrialObserver = std::function<void(int kernels, const TextonProgress
 /// than the support. Errors count channels by params.channelWeights. observe hears of every
 /// iteration of every trial and of its number of kernels. Uses all cores of the calling task arena.
 /// Errors: those of fitTexton; Degenerate for a half without variation; Cancelled.
-[[nodiscard]] Result<int> chooseKernels(const Exemplar& exemplar,
-                                        bool periodic,
-                                        const LeastSquaresParams& params,
-                                        const KernelTrialObserver& observe = {},
-                                        const CancelToken& cancel = {});
+[[nodiscard]] Result<KernelChoice> chooseKernels(const Exemplar& exemplar,
+                                                 bool periodic,
+                                                 const LeastSquaresParams& params,
+                                                 const KernelTrialObserver& observe = {},
+                                                 const CancelToken& cancel = {});
 
 } // namespace txn

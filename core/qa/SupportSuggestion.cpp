@@ -55,8 +55,8 @@ Result<SupportSuggestion> suggestSupport(const Exemplar& exemplar) {
         return Error{ErrorCode::SizeMismatch,
                      "the exemplar is too small to suggest a support; give one"};
     const auto weights = channelWeights(exemplar);
-    const int lag = std::min(shorter / 4,
-                             image.channels() > kManyChannels ? kLongestLagOfMany : kLongestLag);
+    const int lag =
+        std::min(shorter / 4, image.channels() > kManyChannels ? kLongestLagOfMany : kLongestLag);
     const auto all = autocovariance(image, lag).weighted(weights);
     auto signal = ringSums(all, [&](int i, int j, int dx, int dy) { return all.at(i, j, dx, dy); });
     if (!(signal.front() > 0.0))

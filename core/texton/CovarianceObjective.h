@@ -18,8 +18,9 @@ namespace txn {
 ///     J = sum_k w(k) |C_alpha(k) - C_u(k)|^2 / sum_k w(k) |C_u(k)|^2
 ///
 /// over the lags |k_i| < r_i = 0.7 of the sides of the support, |.| the Frobenius norm of C x C
-/// matrices. C_u(k) = sqrt((1 - |k_x| / W) (1 - |k_y| / H)) times the circular autocovariance of the
-/// model on its W x H domain: the longer the lag, the less is known of it. C_alpha = sum_q (alpha_q
+/// matrices. C_u(k) = sqrt((1 - |k_x| / W) (1 - |k_y| / H)) times the circular autocovariance of
+/// the model on its W x H domain: the longer the lag, the less is known of it. C_alpha = sum_q
+/// (alpha_q
 /// * alpha_q~^T * b) is that of the noise, w(k) = sqrt(w_x w_y), w_i = (1 + cos(pi k_i / r_i)) / 2.
 /// Reach and trust are ours, found on pictures cut in two (docs/FIDELITY.md). The variables: gamma,
 /// alpha_q = e gamma_q with e a Tukey taper of 20 % of the side at each end (of the radius for a

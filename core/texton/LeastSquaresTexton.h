@@ -31,10 +31,9 @@ struct LeastSquaresParams {
 /// Uses all cores of the calling task arena; the same bits for any number of them. Thread-safe.
 /// Errors: those of CovarianceObjective::create; InvalidArgument for iterations out of range;
 /// Cancelled.
-[[nodiscard]] Result<Texton>
-fitTexton(const GaussianModel& model,
-          const LeastSquaresParams& params,
-          const TextonObserver& observe = {},
-          const CancelToken& cancel = {});
+[[nodiscard]] Result<Texton> fitTexton(const GaussianModel& model,
+                                       const LeastSquaresParams& params,
+                                       const TextonObserver& observe = {},
+                                       const CancelToken& cancel = {});
 
 } // namespace txn

@@ -37,17 +37,31 @@ std::vector<double> filtered(std::span<const float> plane, Size size, int order)
 
 } // namespace
 
-Texton firstChannels(const Texton& texton, int count) {
-    assert(count >= 1 && count <= texton.channels());
+Texton withChannels(const Texton& texton, std::span<const ChannelSource> channels) {
     Texton result = texton;
-    result.mean.resize(static_cast<std::size_t>(count));
+    result.mean.clear();
+    for (const ChannelSource& source : channels)
+        result.mean.push_back(source.channel
+                                  ? texton.mean[static_cast<std::size_t>(*source.channel)]
+                                  : source.constant);
     for (Image& kernel : result.kernels) {
-        Image fewer(kernel.size(), count, 0.0F, kernel.transfer());
-        for (int c = 0; c < count; ++c)
-            std::ranges::copy(kernel.plane(c), fewer.plane(c).begin());
-        kernel = std::move(fewer);
+        Image chosen(kernel.size(), static_cast<int>(channels.size()), 0.0F, kernel.transfer());
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (channels[c].channel)
+                std::ranges::copy(kernel.plane(*channels[c].channel),
+                                  chosen.plane(static_cast<int>(c)).begin());
+        }
+        kernel = std::move(chosen);
     }
     return result;
+}
+
+Texton firstChannels(const Texton& texton, int count) {
+    assert(count >= 1 && count <= texton.channels());
+    std::vector<ChannelSource> channels;
+    for (int c = 0; c < count; ++c)
+        channels.push_back({c, 0.0});
+    return withChannels(texton, channels);
 }
 
 std::vector<double> noiseCovariance(const Texton& texton) {

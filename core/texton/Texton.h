@@ -4,6 +4,8 @@
 #include "core/image/Image.h"
 #include "core/texton/Support.h"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace txn {
@@ -37,6 +39,13 @@ struct Texton {
     bool operator==(const Texton&) const = default;
 };
 
+/// Where a channel comes from: one of a texton's own, or a constant.
+struct ChannelSource {
+    std::optional<int> channel;
+    double constant = 0.0; ///< where channel is unset
+};
+/// A texton of the same kernels with these channels. Noise of it has the same impulses.
+[[nodiscard]] Texton withChannels(const Texton& texton, std::span<const ChannelSource> channels);
 /// The first count of a texton's channels.
 [[nodiscard]] Texton firstChannels(const Texton& texton, int count);
 

@@ -14,6 +14,7 @@ out vec3 point; // in exemplar pixels
 out vec3 pointTangent;
 #else
 out vec2 point;
+out vec3 placeOnMesh;
 #endif
 
 void main() {
@@ -25,5 +26,6 @@ void main() {
 #else
     // Meshes count texture coordinates upwards, pictures downwards.
     point = vec2(textureCoordinate.x, -textureCoordinate.y) * pixelsPerUnit;
+    placeOnMesh = position;
 #endif
 }

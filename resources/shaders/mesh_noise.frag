@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: CC0-1.0
-// Noise on what mesh_geometry.frag has seen. TXN_SMOOTH 1: outlines by coverage.
+// Noise on what mesh_geometry.frag has seen. TXN_SMOOTH 1: outlines by coverage;
+// TXN_MATERIAL 1: shaded as a material.
 // Both kinds of noise share these, and a file is included once, wherever that is.
 #include "hash.glsl"
 #include "kernel.glsl"
@@ -9,6 +10,10 @@
 #include "texton_noise.glsl"
 #endif
 #include "lighting.glsl"
+#if TXN_MATERIAL
+#include "material.glsl"
+uniform vec3 toEye;
+#endif
 
 uniform sampler2D seenPoint;
 uniform sampler2D seenNormal;
@@ -46,5 +51,11 @@ void main() {
 #else
     vec4 noise = textonNoise(point.xy, steps.xy, steps.zw);
 #endif
+#if TXN_MATERIAL
+    vec4 right4 = texelFetch(seenRight, pixel, 0);
+    mat3 frame = mat3(right4.xyz, right4.w * cross(right4.xyz, normal), normal);
+    color = mix(background, shaded(noise, pixel, frame, toEye), share);
+#else
     color = mix(background, vec4(lit(noise.rgb, normal), noise.a), share);
+#endif
 }

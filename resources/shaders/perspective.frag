@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: CC0-1.0
 // The plane as a ground that goes on to the horizon.
+// TXN_MATERIAL 1: shaded as a material.
 #include "texton_noise.glsl"
+#if TXN_MATERIAL
+#include "material.glsl"
+uniform vec3 eye; // in exemplar pixels from the base: x, y, and height
+#endif
 
 uniform ivec2 middle; // the pixel from which steps are counted, y down
 uniform int height;   // of the picture
@@ -23,10 +28,17 @@ void main() {
 #else
     float ground = float(q.z > 0.0);
 #endif
+#if TXN_MATERIAL
+    if (ground == 0.0) {
+        color = background;
+        return;
+    }
+#else
     if (q.z <= 0.0) {
         color = mix(background, txnOffset, ground);
         return;
     }
+#endif
     q.z = max(q.z, 1e-3 * length(vec2(rayRight.z, rayDown.z))); // far enough to be all mean
     vec2 point = q.xy / q.z;
     vec2 dx = (rayRight.xy - point * rayRight.z) / q.z;
@@ -34,5 +46,8 @@ void main() {
     vec2 place = clamp(point / txnCell, -1e7, 1e7) + basePlace;
     vec2 cell = floor(place);
     vec4 noise = textonNoise(baseCell + ivec2(cell), place - cell, dx, dy);
+#if TXN_MATERIAL
+    noise = shaded(noise, ivec2(gl_FragCoord.xy), mat3(1.0), normalize(eye - vec3(point, 0.0)));
+#endif
     color = mix(background, noise, ground);
 }

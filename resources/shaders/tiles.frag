@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: CC0-1.0
 // The plane seen from above, each tile of the picture with a list of its impulses.
+// TXN_MATERIAL 1: shaded as a material.
 #include "kernel.glsl"
+#if TXN_MATERIAL
+#include "material.glsl"
+uniform vec3 surfaceX; // the exemplar's x and y: to the right, up, to the eye
+uniform vec3 surfaceY;
+#endif
 
 uniform samplerBuffer impulses; // from the tile's corner to the footprint's, in pixels of the
                                 // picture, y down; kernel + 1, negative with a negative sign
@@ -28,4 +34,8 @@ void main() {
         sum += sign(impulse.z) * txnKernel(int(abs(impulse.z)) - 1, y, shape);
     }
     color = txnOffset + txnGain * shape.fade * sum;
+#if TXN_MATERIAL
+    mat3 frame = mat3(surfaceX, surfaceY, vec3(0.0, 0.0, 1.0));
+    color = shaded(color, ivec2(gl_FragCoord.xy), frame, frame[2]);
+#endif
 }

@@ -412,6 +412,25 @@ void TestBadInput::valuesOutOfRange_data() {
         {"compute good.png -o old.exr --method fit --kernels 17", 2, "--kernels"},
         {"compute good.png -o old.exr --method fit --kernels some", 2, "--kernels"},
         {"compute good.png -o old.exr --method best", 2, "--method"},
+        {"compute -o old.exr --stack height", 2, "--stack"},
+        {"compute -o old.exr --stack height=", 2, "--stack"},
+        {"compute -o old.exr --stack alpha=good.png", 2, "--stack"},
+        {"compute -o old.exr --stack ../x=good.png", 2, "--stack"},
+        {"compute -o old.exr", 1, "--stack"},
+        {"compute good.png -o old.exr --stack color=good.png", 1, "--stack"},
+        {"compute -o old.exr --support 8 --linear --stack color=good.png", 1, "--linear"},
+        {"compute -o old.exr --support 8 --stack color=good.png --stack color=good.png",
+         1,
+         "color"},
+        {"compute -o old.exr --support 8 --stack height=good.png", 1, "good.png"},
+        {"compute -o old.exr --support 8 --stack color=good.png --stack data=pixel.png",
+         1,
+         "pixel.png"},
+        {"compute -o old.texton --support 8 --stack color=good.png --stack normal=good.png",
+         1,
+         "old.texton"},
+        {"render t.exr -o old.png --map color", 1, "--map"},
+        {"render t.exr -o old.png --light 0,99", 2, "--light"},
         {"compute good.png -o old.exr --support 8 --seed 4294967296", 2, "--seed"},
         {"compute good.png -o old.exr --support 8 --crop 0,0,0,5", 2, "--crop"},
         {"compute good.png -o old.exr --support 8 --crop 9223372036854775807,0,9,9", 1, "good.png"},
@@ -818,8 +837,9 @@ void TestBadInput::stopsOnSignal_data() {
     add("noise t.exr -o new.exr --size 20000x20000", SIGINT);
     add("noise t.exr -o old.exr --size 20000x20000", SIGTERM);
     add("noise t.png -o old.png --size 20000x20000 --scale 3", SIGHUP);
-    add("compute good.png -o new.exr --support 16 --iterations 100000", SIGTERM);
-    add("sheet good.png -o old.png --support 16 --iterations 100000", SIGINT);
+    add("compute good.png -o new.exr --support 16 --method projections --iterations 100000",
+        SIGTERM);
+    add("sheet good.png -o old.png --support 16 --method projections --iterations 100000", SIGINT);
     add("sample wood -o new.exr --size 6000x6000", SIGINT);
     add("gaussian good.png -o old.png --size 6000x6000", SIGTERM);
 }

@@ -53,6 +53,8 @@ class TestStory : public QObject {
     void initTestCase();
     void reportsTexton();
     void fitsWithSeveralKernels();
+    void makesMaterialsOfSeveralMaps();
+    void suggestsASupport();
     void sameNoiseFromAllFormats();
     void tileWraps();
     void threadsDoNotMatter();
@@ -170,6 +172,49 @@ void TestStory::fitsWithSeveralKernels() {
     run(command + "--kernels 2 -o once.exr");
     QVERIFY(bytes("once.exr") == bytes("fit.exr"));
     run("sheet wood.png --method fit --support 16 -o fit_sheet.png");
+}
+
+void TestStory::makesMaterialsOfSeveralMaps() {
+    run("sample stone -o albedo.png --size 96x80 --seed 1");
+    run("sample sand -o rough.png --size 96x80 --seed 2");
+    // Normals of any kind: what counts is that they come back as unit vectors.
+    run("sample cloth -o bumps.png --size 96x80 --seed 3");
+    const QJsonObject report = json("compute --stack color=albedo.png --stack normal=bumps.png "
+                                    "--stack extra=rough.png --support 12 --kernels 2 "
+                                    "-o rock.exr -o rock.png");
+    QCOMPARE(report["channels"].toInt(), 8);
+    QCOMPARE(report["kernels"].toInt(), 2);
+    const QString options = " --size 64x48 --seed 5 --depth float";
+    QCOMPARE(json("noise rock.exr -o layers.exr" + options)["outputs"].toArray().size(), 1);
+    QCOMPARE(image("layers.exr").channels(), 9);
+    QCOMPARE(json("noise rock.exr -o made.png --size 64x48 --seed 5")["outputs"].toArray().size(),
+             3);
+    QCOMPARE(image("made_color.png").size(), (Size{64, 48}));
+    const Image normals = image("made_normal.png");
+    for (int y = 0; y < normals.height(); ++y) {
+        for (int x = 0; x < normals.width(); ++x) {
+            double length = 0.0;
+            for (int c = 0; c < 3; ++c) {
+                const double n = 2.0 * static_cast<double>(normals.at(x, y, c)) - 1.0;
+                length += n * n;
+            }
+            QVERIFY(std::abs(std::sqrt(length) - 1.0) < 0.01);
+        }
+    }
+    // The set of PNGs makes the noise of the EXR, whichever of its names it is called by.
+    for (const char* name : {"rock.png", "rock.png.json"}) {
+        run(QString("noise %1 -o set.exr").arg(name) + options);
+        QVERIFY(imageDistance(image("set.exr"), image("layers.exr")) <= 0.02);
+    }
+    QCOMPARE(json("info rock.png")["maps"].toArray().size(), 3);
+    run("sheet --stack color=albedo.png --stack normal=bumps.png --support 12 -o maps.png");
+}
+
+void TestStory::suggestsASupport() {
+    const QJsonObject report = json("compute wood.png -o suggested.exr --support auto");
+    const int side = report["support"].toArray().at(0).toInt();
+    QVERIFY(side >= 16 && side <= 32);
+    QVERIFY(report["support_error"].toDouble(-1.0) >= 0.0);
 }
 
 void TestStory::sameNoiseFromAllFormats() {

@@ -244,8 +244,8 @@ class TestLeastSquares : public QObject {
         const auto fitted = fitTexton(model, params, [&](const TextonProgress& now) {
             values.push_back(now.error());
             seen = now.texton();
-            inOrder = inOrder && now.iterations == 30 &&
-                      now.iteration == static_cast<int>(values.size());
+            inOrder =
+                inOrder && now.iterations == 30 && now.iteration == static_cast<int>(values.size());
         });
         TXN_OK(fitted);
         QVERIFY(inOrder);
