@@ -4,12 +4,10 @@
 #include "cli/Parse.h"
 #include "cli/Report.h"
 #include "core/base/OutputFiles.h"
+#include "core/gaussian/ExemplarEdits.h"
 #include "core/image/ColorTransfer.h"
 #include "core/image/ImageGeometry.h"
 #include "core/material/MapStack.h"
-#include "core/spectral/Lighting.h"
-
-#include <algorithm>
 
 namespace txn::cli {
 namespace {
@@ -66,23 +64,6 @@ Result<Exemplar> loadWhole(const ExemplarOptions& options) {
     return makeExemplar(std::move(stack->image),
                         mainFile(options).filename().string(),
                         std::move(stack->maps));
-}
-
-Result<Image> flattened(const Exemplar& exemplar, double radius) {
-    if (exemplar.maps.empty())
-        return flattenLighting(exemplar.image, radius);
-    Image image = exemplar.image;
-    for (std::size_t m = 0; m < exemplar.maps.size(); ++m) {
-        if (exemplar.maps[m].kind != MapKind::Color)
-            continue;
-        const auto flat = flattenLighting(mapPicture(image, exemplar.maps, m), radius);
-        if (!flat)
-            return flat.error();
-        const int first = firstChannel(exemplar.maps, m);
-        for (int c = 0; c < flat->channels(); ++c)
-            std::ranges::copy(flat->plane(c), image.plane(first + c).begin());
-    }
-    return image;
 }
 
 } // namespace
@@ -152,17 +133,16 @@ Result<Exemplar> loadExemplar(const ExemplarOptions& options) {
         exemplar->image = std::move(*part);
     }
     if (options.rotate != 0.0) {
-        auto turned = rotated(exemplar->image, options.rotate);
-        if (!turned)
-            return named(turned.error());
-        exemplar->image = std::move(*turned);
-        turnSlopes(exemplar->image, exemplar->maps, options.rotate);
+        auto upright = turned(std::move(*exemplar), options.rotate);
+        if (!upright)
+            return named(upright.error());
+        exemplar = std::move(*upright);
     }
     if (options.flatten) {
-        auto flat = flattened(*exemplar, *options.flatten);
-        if (!flat)
-            return named(flat.error());
-        exemplar->image = std::move(*flat);
+        auto even = lightingEvened(std::move(*exemplar), *options.flatten);
+        if (!even)
+            return named(even.error());
+        exemplar = std::move(*even);
     }
     if (options.linear)
         exemplar->image = toLinear(std::move(exemplar->image));

@@ -164,7 +164,7 @@ struct Drawn {
     std::shared_ptr<const Texton> relief; ///< of a shaded material
     int channels = 3;
     /// Of the picture, before it is written: normals are drawn as slopes.
-    std::function<Image(Image)> finish = [](Image picture) { return picture; };
+    std::function<Image(const Image&)> finish = [](const Image& picture) { return picture; };
     std::string name; ///< of the map, or "material"; empty for plain textons
 };
 
@@ -206,7 +206,7 @@ Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
     drawn.channels = drawn.texton->channels();
     drawn.name = name;
     if (isNormal(known->kind))
-        drawn.finish = [yDown = known->kind == MapKind::NormalYDown](Image picture) {
+        drawn.finish = [yDown = known->kind == MapKind::NormalYDown](const Image& picture) {
             return normalsOfSlopes(picture, yDown);
         };
     return drawn;

@@ -48,9 +48,10 @@ std::vector<Panel> panels(const Exemplar& exemplar,
                 {noiseName, noise}};
     std::vector<Panel> result;
     for (std::size_t m = 0; m < exemplar.maps.size(); ++m) {
-        const std::string& map = exemplar.maps[m].name;
-        result.push_back({map + ", " + sizeText(whole), mapPicture(picture, exemplar.maps, m)});
-        result.push_back({map + ", " + noiseName, mapPicture(noise, exemplar.maps, m)});
+        const std::string map = exemplar.maps[m].name + ", ";
+        result.push_back(
+            {std::string(map).append(sizeText(whole)), mapPicture(picture, exemplar.maps, m)});
+        result.push_back({std::string(map).append(noiseName), mapPicture(noise, exemplar.maps, m)});
     }
     return result;
 }

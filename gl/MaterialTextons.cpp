@@ -44,6 +44,7 @@ Texton mapTexton(const Texton& texton, const MaterialMaps& maps, std::size_t map
     constexpr int kMostDrawn = 4;
     std::vector<ChannelSource> channels;
     const int count = std::min(maps[map].channels, kMostDrawn);
+    channels.reserve(static_cast<std::size_t>(count));
     for (int c = 0; c < count; ++c)
         channels.push_back({firstChannel(maps, map) + c, 0.0});
     return withChannels(texton, channels);

@@ -131,4 +131,14 @@ void turnSlopes(Image& stack, const MaterialMaps& maps, double degreesCounterClo
     }
 }
 
+void flipGreen(Image& stack, MaterialMaps& maps) {
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        if (!isNormal(maps[m].kind))
+            continue;
+        for (float& v : stack.plane(firstChannel(maps, m) + 1))
+            v = -v;
+        maps[m].kind = maps[m].kind == MapKind::Normal ? MapKind::NormalYDown : MapKind::Normal;
+    }
+}
+
 } // namespace txn

@@ -35,4 +35,8 @@ struct MapStack {
 /// The slopes in the stack turned with it, counter-clockwise as `rotated` does.
 void turnSlopes(Image& stack, const MaterialMaps& maps, double degreesCounterClockwise);
 
+/// Turns the slopes along y round, as for normals whose green points the other way, and tells so in
+/// the maps.
+void flipGreen(Image& stack, MaterialMaps& maps);
+
 } // namespace txn

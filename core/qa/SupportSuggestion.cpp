@@ -15,7 +15,7 @@ namespace txn {
 namespace {
 
 constexpr std::array kSides{16, 24, 32, 48, 64, 96, 128, 192, 256};
-constexpr double kSmallEnough = 0.25;
+constexpr double kSmallEnough = 0.2;
 constexpr int kLargestPart = 1024;
 /// A covariance of many channels at many lags takes much memory.
 constexpr int kManyChannels = 4;

@@ -13,7 +13,7 @@ struct SupportSuggestion {
     double error = 0.0;
 };
 
-/// The smallest side of 16, 24, 32, 48, 64, 96, 128, 192 and 256 whose error is at most 0.25; the
+/// The smallest side of 16, 24, 32, 48, 64, 96, 128, 192 and 256 whose error is at most 0.2; the
 /// largest where none is, up to three eighths of the exemplar's shorter side. Lags up to a quarter
 /// of that side are looked at. Chance is told from texture by how far the exemplar's halves are
 /// apart. Of exemplars over 1024 pixels the middle is looked at. Errors: SizeMismatch for exemplars

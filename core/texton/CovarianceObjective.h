@@ -16,18 +16,19 @@ namespace txn {
 /// LeastSquaresTexton minimises.
 ///
 ///     J = sum_k w(k) |C_alpha(k) - C_u(k)|^2 / sum_k w(k) |C_u(k)|^2
+///         + sum_q sum_k v(k) |gamma_q(k)|^2
 ///
 /// over the lags |k_i| < r_i = 0.7 of the sides of the support, |.| the Frobenius norm of C x C
 /// matrices. C_u(k) = sqrt((1 - |k_x| / W) (1 - |k_y| / H)) times the circular autocovariance of
-/// the model on its W x H domain: the longer the lag, the less is known of it. C_alpha = sum_q
-/// (alpha_q
-/// * alpha_q~^T * b) is that of the noise, w(k) = sqrt(w_x w_y), w_i = (1 + cos(pi k_i / r_i)) / 2.
-/// Reach and trust are ours, found on pictures cut in two (docs/FIDELITY.md). The variables: gamma,
-/// alpha_q = e gamma_q with e a Tukey taper of 20 % of the side at each end (of the radius for a
-/// disc), which leaves no energy on the border to be seen. All of it happens on a grid just large
-/// enough for lags not to wrap: the cost does not depend on the exemplar. Single precision, sums in
-/// double. Const use is thread-safe; evaluate() uses all cores of the calling task arena and gives
-/// the same bits for any number of them.
+/// the model on its W x H domain: the longer the lag, the less is known of it. C_alpha is that of
+/// the noise, sum_q (alpha_q * alpha_q~^T * b), and w(k) = sqrt(w_x w_y), w_i = (1 + cos(pi k_i /
+/// r_i)) / 2. Reach and trust are ours, found on pictures cut in two (docs/FIDELITY.md). The
+/// variables are gamma, alpha_q = e gamma_q with e a Tukey taper of 25 % of the side at each end
+/// (of the radius for a disc). It and the last term, v = 0.002 (1 - e) / total variance, leave no
+/// energy on the border to be seen. All of it happens on a grid just large enough for lags not to
+/// wrap: the cost does not depend on the exemplar. Single precision, sums in double. Const use is
+/// thread-safe; evaluate() uses all cores of the calling task arena and gives the same bits for any
+/// number of them.
 class CovarianceObjective {
   public:
     struct Shape {

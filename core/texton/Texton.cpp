@@ -59,6 +59,7 @@ Texton withChannels(const Texton& texton, std::span<const ChannelSource> channel
 Texton firstChannels(const Texton& texton, int count) {
     assert(count >= 1 && count <= texton.channels());
     std::vector<ChannelSource> channels;
+    channels.reserve(static_cast<std::size_t>(count));
     for (int c = 0; c < count; ++c)
         channels.push_back({c, 0.0});
     return withChannels(texton, channels);

@@ -61,7 +61,32 @@ std::vector<std::vector<float>> spotOf(const GaussianModel& model) {
     return planes;
 }
 
-/// J by its definition, lag by lag, from the texton's own covariance.
+/// The last term of J.
+double borderCost(const Support& support, const std::vector<double>& gamma) {
+    const auto taper = [](double t) {
+        const double edge = std::min(t, 1.0 - t) / 0.25;
+        return edge >= 1.0   ? 1.0
+               : edge <= 0.0 ? 0.0
+                             : std::pow(std::sin(0.5 * std::numbers::pi * edge), 2);
+    };
+    const Size size = support.size();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < gamma.size(); ++k) {
+        const auto place = static_cast<int>(k % size.area());
+        const int x = place % size.width;
+        const int y = place / size.width;
+        const double u = (x + 0.5) / size.width;
+        const double v = (y + 0.5) / size.height;
+        double e = support.shape() == SupportShape::Disc ? taper(0.5 + std::hypot(u - 0.5, v - 0.5))
+                                                         : taper(u) * taper(v);
+        if (!support.contains(x, y))
+            e = 0.0;
+        sum += (1.0 - e) * gamma[k] * gamma[k];
+    }
+    return 0.002 * sum;
+}
+
+/// The rest by its definition, lag by lag, from the texton's own covariance.
 double directly(const GaussianModel& model, const Texton& texton) {
     const Size side = texton.support.size();
     const auto own = autocovariance(texton, std::max(side.width, side.height));
@@ -134,7 +159,11 @@ class TestLeastSquares : public QObject {
         std::vector<double> gradient(objective.variables());
         const double value = objective.evaluate(gamma, gradient);
         // Single precision transforms of some 500 points.
-        const double expected = directly(model, objective.texton(gamma));
+        double trace = 0.0; // of the target at lag 0
+        for (int c = 0; c < channels; ++c)
+            trace += circular(spotOf(model), model.domain(), c, c, 0, 0);
+        const double expected =
+            directly(model, objective.texton(gamma)) + borderCost(support, gamma) / trace;
         TXN_AT_MOST(std::abs(value - expected), 1e-5 * expected);
     }
 

@@ -228,7 +228,7 @@ class TestMaterial : public QObject {
         };
         QCOMPARE(side(1).side, 16);
         QVERIFY(side(20).side > side(4).side);
-        QVERIFY(side(20).error <= 0.25);
+        QVERIFY(side(20).error <= 0.2);
         TXN_FAILS_WITH(suggestSupport(exemplarOf(randomImage({31, 64}, 1, 3))),
                        ErrorCode::SizeMismatch);
         TXN_FAILS_WITH(suggestSupport(exemplarOf(Image({64, 64}, 2, 0.5F))), ErrorCode::Degenerate);
