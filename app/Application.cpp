@@ -39,10 +39,7 @@ QString Application::standardRecoveryFolder() {
 
 void Application::start(const QStringList& files) {
     if (!files.isEmpty()) {
-        m_window->files().open(files.first());
-        if (files.size() > 1)
-            m_window->messages().show(MessageBar::Kind::Note,
-                                      MainWindow::tr("Opened the first of the files."));
+        m_window->files().open(files);
         return;
     }
     if (!mayBeRecoverable(m_recoveryFolder)) {

@@ -286,10 +286,11 @@ void MainWindow::createStatusBar() {
     showZoom();
     connect(&m_pipeline, &Pipeline::textonChanged, this, [this] {
         const auto texton = m_pipeline.texton();
-        m_error->setText(texton && !texton->imported
-                             ? tr("Relative model error %1")
-                                   .arg(QLocale().toString(texton->relativeModelError, 'f', 2))
-                             : QString());
+        m_error->setText(
+            texton && texton->dial && texton->dial->floor > 0.0
+                ? tr("Covariance error %1 \u00d7 the floor")
+                      .arg(QLocale().toString(texton->dial->error / texton->dial->floor, 'f', 2))
+                : QString());
     });
 }
 

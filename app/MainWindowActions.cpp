@@ -337,6 +337,24 @@ void MainWindow::createTextonActions() {
         tr("Another random result of what is under the mouse: Gaussian version, texton or noise."),
         QStringLiteral("R"),
         [this] { newSeed(); });
+    action(QStringLiteral("texton.keep"),
+           tr("&Keep to compare"),
+           tr("Keep the present texton as A. Change something, then look at both by turns."),
+           QStringLiteral("K"),
+           [this] { m_pipeline.keepTexton(); });
+    QAction* kept =
+        action(QStringLiteral("texton.showKept"),
+               tr("Show the kept one (A/&B)"),
+               tr("Look at the kept texton and its noise, and back at the present one."),
+               QStringLiteral("B"),
+               [this] { m_pipeline.showKept(!m_pipeline.isShowingKept()); });
+    kept->setCheckable(true);
+    const auto showKept = [this, kept] {
+        kept->setEnabled(m_pipeline.keptTexton() != nullptr);
+        kept->setChecked(m_pipeline.isShowingKept());
+    };
+    connect(&m_pipeline, &Pipeline::stateChanged, kept, showKept);
+    showKept();
     const auto method = [this](const char* id,
                                const QString& text,
                                const QString& tip,

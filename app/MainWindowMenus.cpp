@@ -101,7 +101,15 @@ void MainWindow::createMenus() {
     fill(view->addMenu(tr("S&urround")),
          {"view.surroundGrey", "view.surroundBlack", "view.surroundWhite"});
     fill(menuBar()->addMenu(tr("&Texton")),
-         {"texton.compute", "texton.cancel", "texton.newSeed", "", "texton.adsn", "texton.rpn"});
+         {"texton.compute",
+          "texton.cancel",
+          "texton.newSeed",
+          "",
+          "texton.keep",
+          "texton.showKept",
+          "",
+          "texton.adsn",
+          "texton.rpn"});
     fill(menuBar()->addMenu(tr("&Noise")),
          {"noise.flat", "noise.ground", "noise.mesh", "noise.surface", "", "noise.lighting"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));

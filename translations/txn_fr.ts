@@ -133,8 +133,8 @@
 <context>
     <name>txn::app::ErrorPlot</name>
     <message>
-        <source>Model error against iterations</source>
-        <translation>Erreur du modèle selon les itérations</translation>
+        <source>Error against iterations</source>
+        <translation>Erreur selon les itérations</translation>
     </message>
 </context>
 <context>
@@ -330,6 +330,62 @@
     <message>
         <source>Edges, patches and single features even out into grain. Compare with the Gaussian version, or crop a part that is all grain.</source>
         <translation>Les bords, les taches et les détails isolés se fondent en grain. Comparer avec la version gaussienne, ou recadrer une partie qui n&apos;est que grain.</translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normales</translation>
+    </message>
+    <message>
+        <source>Normals, green down</source>
+        <translation>Normales, vert vers le bas</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rugosité</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Occlusion</translation>
+    </message>
+    <message>
+        <source>Metalness</source>
+        <translation>Métal</translation>
+    </message>
+    <message>
+        <source>Occlusion, roughness, metalness</source>
+        <translation>Occlusion, rugosité, métal</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>The maps of this material, told by the words in their names. Their noise comes from the same impacts, so that they stay in register.</source>
+        <translation>Les cartes de ce matériau, reconnues aux mots de leurs noms. Leur bruit vient des mêmes impacts, elles restent donc alignées.</translation>
+    </message>
+    <message>
+        <source>Green points the other way</source>
+        <translation>Le vert pointe dans l&apos;autre sens</translation>
+    </message>
+    <message>
+        <source>For normal maps made for another program: switch it on if bumps look like dents.</source>
+        <translation>Pour les cartes de normales faites pour un autre programme : à activer si les bosses ont l&apos;air de creux.</translation>
+    </message>
+    <message>
+        <source>Green of the normals</source>
+        <translation>Vert des normales</translation>
     </message>
 </context>
 <context>
@@ -702,6 +758,10 @@
         <source>Still saving. Please try again in a moment.</source>
         <translation>Enregistrement en cours. Veuillez réessayer dans un instant.</translation>
     </message>
+    <message>
+        <source>Opening the maps of a material</source>
+        <translation>Ouverture des cartes d&apos;un matériau</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>
@@ -889,10 +949,6 @@
 <context>
     <name>txn::app::MainWindow</name>
     <message>
-        <source>Opened the first of the files.</source>
-        <translation>Seul le premier des fichiers a été ouvert.</translation>
-    </message>
-    <message>
         <source>Recovering %1</source>
         <translation>Récupération de %1</translation>
     </message>
@@ -943,10 +999,6 @@
     <message>
         <source>What draws the noise.</source>
         <translation>Ce qui dessine le bruit.</translation>
-    </message>
-    <message>
-        <source>Relative model error %1</source>
-        <translation>Erreur relative du modèle&#xa0;: %1</translation>
     </message>
     <message>
         <source>x %1  y %2</source>
@@ -1616,6 +1668,26 @@
         <source>&amp;Noise</source>
         <translation>&amp;Bruit</translation>
     </message>
+    <message>
+        <source>Covariance error %1 × the floor</source>
+        <translation>Erreur de covariance %1 × le plancher</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to compare</source>
+        <translation>&amp;Garder pour comparer</translation>
+    </message>
+    <message>
+        <source>Keep the present texton as A. Change something, then look at both by turns.</source>
+        <translation>Garde le texton actuel comme A. Changez quelque chose, puis regardez les deux tour à tour.</translation>
+    </message>
+    <message>
+        <source>Show the kept one (A/&amp;B)</source>
+        <translation>Voir le texton gardé (A/&amp;B)</translation>
+    </message>
+    <message>
+        <source>Look at the kept texton and its noise, and back at the present one.</source>
+        <translation>Montre le texton gardé et son bruit, puis de nouveau l&apos;actuel.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::MessageBar</name>
@@ -1810,6 +1882,42 @@
         <source>%1 % of the values are clipped</source>
         <translation>%1&#xa0;% des valeurs sont écrêtées</translation>
     </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>All maps of the material together under a light, or one of them.</source>
+        <translation>Toutes les cartes du matériau ensemble sous une lumière, ou l&apos;une d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>Shown map</source>
+        <translation>Carte montrée</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>Lumière depuis</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 is the right, 90 the top. Or drag with the right button in the view.</source>
+        <translation>D&apos;où vient la lumière : 0 est la droite, 90 le haut. Ou glissez avec le bouton droit dans la vue.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lumière</translation>
+    </message>
+    <message>
+        <source>Light height</source>
+        <translation>Hauteur lumière</translation>
+    </message>
+    <message>
+        <source>How high the light stands. Low light shows the relief, high light the colors.</source>
+        <translation>La hauteur de la lumière. Rasante, elle montre le relief ; haute, les couleurs.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::PictureView</name>
@@ -1842,8 +1950,20 @@
         <translation>%1&#xa0;×&#xa0;%2&#xa0;px</translation>
     </message>
     <message>
-        <source>A picture. The wheel zooms where the mouse is, the middle button or Space moves it, F shows it whole. Hold ` to see the exemplar instead.</source>
-        <translation>Une image. La molette agrandit à l&apos;endroit de la souris, le bouton du milieu ou Espace la déplace, F la montre entière. Tenir ` pour voir l&apos;exemplaire à la place.</translation>
+        <source>A picture. The wheel zooms where the mouse is, the middle button or Space moves it, F shows it whole. Hold ` to see the exemplar instead. The right button moves the light of a material.</source>
+        <translation>Une image. La molette agrandit sous la souris, le bouton du milieu ou Espace la déplace, F la montre entière. Maintenez ` pour voir l&apos;exemplaire à la place. Le bouton droit déplace la lumière d&apos;un matériau.</translation>
+    </message>
+    <message>
+        <source>A (kept)</source>
+        <translation>A (gardé)</translation>
+    </message>
+    <message>
+        <source>B (present)</source>
+        <translation>B (actuel)</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lumière</translation>
     </message>
 </context>
 <context>
@@ -2069,10 +2189,6 @@
         </translation>
     </message>
     <message>
-        <source>The relative model error: 0 is the same texture. The method leaves about 0.46 of the photo&apos;s own randomness, so do not expect 0.</source>
-        <translation>L&apos;erreur relative du modèle&#xa0;: 0 est la même texture. La méthode laisse environ 0,46 du hasard propre à la photo&#xa0;; inutile donc d&apos;attendre 0.</translation>
-    </message>
-    <message>
         <source>Progress of the texton</source>
         <translation>Avancement du texton</translation>
     </message>
@@ -2197,14 +2313,6 @@
         <translation>Corrige le texton pour que le bruit ait exactement les couleurs de la photo. À laisser activé, sauf pour comparer avec les articles.</translation>
     </message>
     <message>
-        <source>Relative model error against iterations</source>
-        <translation>Erreur relative du modèle selon les itérations</translation>
-    </message>
-    <message>
-        <source>The relative model error while the texton is refined. Lower is closer.</source>
-        <translation>L&apos;erreur relative du modèle pendant l&apos;affinage du texton. Plus bas, c&apos;est plus proche.</translation>
-    </message>
-    <message>
         <source>Open a photo to compute its texton</source>
         <translation>Ouvrir une photo pour calculer son texton</translation>
     </message>
@@ -2217,10 +2325,6 @@
         <translation>%1&#xa0;×&#xa0;%2&#xa0;px</translation>
     </message>
     <message>
-        <source>Relative model error %1 after %2 iterations</source>
-        <translation>Erreur du modèle&#xa0;: %1 (%2&#xa0;itérations)</translation>
-    </message>
-    <message>
         <source>Computing</source>
         <translation>Calcul en cours</translation>
     </message>
@@ -2229,12 +2333,112 @@
         <translation>Recalculer</translation>
     </message>
     <message>
-        <source>Fair. A larger support may help</source>
-        <translation>Correct. Un support plus grand peut aider</translation>
-    </message>
-    <message>
         <source>As close as this method gets</source>
         <translation>Aussi proche que la méthode le permet</translation>
+    </message>
+    <message>
+        <source>Choosing the number of kernels</source>
+        <translation>Choix du nombre de noyaux</translation>
+    </message>
+    <message>
+        <source>Getting closer</source>
+        <translation>De plus en plus proche</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Close. A larger support or another seed may help</source>
+        <translation>Proche. Un support plus grand ou une autre graine peut aider</translation>
+    </message>
+    <message>
+        <source>Fair. The material has more order than noise can keep</source>
+        <translation>Correct. Le matériau a plus d&apos;ordre qu&apos;un bruit ne peut en garder</translation>
+    </message>
+    <message>
+        <source>Covariance error %1 × the floor (%2)</source>
+        <translation>Erreur de covariance %1 × le plancher (%2)</translation>
+    </message>
+    <message>
+        <source>Relative model error %1</source>
+        <translation>Erreur relative du modèle %1</translation>
+    </message>
+    <message>
+        <source>Error %1 after %2 iterations</source>
+        <translation>Erreur %1 après %2 itérations</translation>
+    </message>
+    <message>
+        <source>How far the noise&apos;s correlations are from the photo&apos;s. At 1 × the floor they are as close as one half of the photo is to all of it. The relative model error stays near 0.46 even for a perfect texton, because it compares with one photo, in which every wave&apos;s strength is random.</source>
+        <translation>L&apos;écart entre les corrélations du bruit et celles de la photo. À 1 × le plancher, elles sont aussi proches qu&apos;une moitié de la photo l&apos;est du tout. L&apos;erreur relative du modèle reste près de 0,46 même pour un texton parfait, car elle compare avec une seule photo, où la force de chaque onde est due au hasard.</translation>
+    </message>
+    <message>
+        <source>Use the suggested support</source>
+        <translation>Utiliser le support suggéré</translation>
+    </message>
+    <message>
+        <source>Suggested support</source>
+        <translation>Support suggéré</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Best fit</source>
+        <translation>Meilleur ajustement</translation>
+    </message>
+    <message>
+        <source>Papers&apos; projections</source>
+        <translation>Projections (articles)</translation>
+    </message>
+    <message>
+        <source>How the texton is found. Best fit comes closest for the same cost; the projections are the papers&apos; own way, to compare with.</source>
+        <translation>Comment le texton est trouvé. Le meilleur ajustement est le plus proche pour le même coût ; les projections sont la méthode des articles, pour comparer.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Kernels</source>
+        <translation>Noyaux</translation>
+    </message>
+    <message>
+        <source>Each impact picks one of so many small pictures. More follow colors and maps that vary independently, at the same speed. Automatic tries them on one half of the photo.</source>
+        <translation>Chaque impact choisit une image parmi tant de petites. Davantage suivent des couleurs et des cartes qui varient indépendamment, à la même vitesse. Automatique les essaie sur une moitié de la photo.</translation>
+    </message>
+    <message>
+        <source>What was tried on one half of the photo: the error on the other half, and the memory on a graphics card. The fewest within 5 % of the best are taken.</source>
+        <translation>Ce qui a été essayé sur une moitié de la photo : l&apos;erreur sur l&apos;autre moitié et la mémoire sur une carte graphique. Le plus petit nombre à moins de 5 % du meilleur est pris.</translation>
+    </message>
+    <message>
+        <source>Suggested: %1 px</source>
+        <translation>Suggéré : %1 px</translation>
+    </message>
+    <message>
+        <source>Suggested: none</source>
+        <translation>Suggéré : aucun</translation>
+    </message>
+    <message>
+        <source>As large as the grain of this material needs. A texton of that size leaves out %1 % of the correlation.</source>
+        <translation>Aussi grand que le grain de ce matériau le demande. Un texton de cette taille laisse de côté %1 % de la corrélation.</translation>
+    </message>
+    <message>
+        <source>The photo is too small to tell how large its grain is.</source>
+        <translation>La photo est trop petite pour dire la taille de son grain.</translation>
+    </message>
+    <message>
+        <source>Error against iterations</source>
+        <translation>Erreur selon les itérations</translation>
+    </message>
+    <message>
+        <source>The error while the texton is refined. Lower is closer.</source>
+        <translation>L&apos;erreur pendant que le texton s&apos;affine. Plus bas, plus proche.</translation>
+    </message>
+    <message>
+        <source>Kernels: %1, error %2, %3 KB</source>
+        <translation>Noyaux : %1, erreur %2, %3 Ko</translation>
     </message>
 </context>
 <context>

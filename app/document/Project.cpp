@@ -3,8 +3,11 @@
 
 namespace txn::app {
 
-TextonParams textonParams(const TextonSettings& settings) {
-    TextonParams params;
+ComputeParams computeParams(const TextonSettings& settings) {
+    ComputeParams params;
+    params.method = settings.method;
+    if (settings.kernels != TextonSettings::kAutomatic)
+        params.kernels = settings.kernels;
     switch (settings.shape) {
     case TextonSettings::Shape::Square:
         params.support = Support::rectangle({settings.support.width, settings.support.width});
@@ -20,6 +23,7 @@ TextonParams textonParams(const TextonSettings& settings) {
     params.iterations = settings.iterations;
     params.momentum = settings.momentum;
     params.seed = settings.seed;
+    params.colorCorrection = settings.colorCorrection;
     return params;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/document/Source.h"
+#include "core/compute/ComputeTexton.h"
 #include "core/gaussian/GaussianSampler.h"
-#include "core/texton/TextonParams.h"
 #include "gl/NoiseStyle.h"
 
 #include <array>
@@ -18,6 +18,7 @@ struct ExemplarEdit {
     std::optional<double> flattenRadiusPx; ///< unset: the lighting stays
     bool linear = false;                   ///< compute in linear light
     bool periodic = true;                  ///< take the periodic component
+    bool flipGreen = false;                ///< normals whose green points the other way than told
 
     bool operator==(const ExemplarEdit&) const = default;
 };
@@ -32,13 +33,17 @@ struct GaussianSettings {
 struct TextonSettings {
     static constexpr int kMinSidePx = 4;
     static constexpr int kMaxSidePx = 1024;
+    static constexpr int kAutomatic = 0; ///< number of kernels: by a trial
+    static constexpr int kMostKernels = 16;
 
     enum class Shape { Square, Rectangle, Disc };
 
     Shape shape = Shape::Square;
     Size support{64, 64}; ///< squares and discs are as high as wide
     int interpolationOrder = 1;
-    int iterations = 50;
+    TextonMethod method = TextonMethod::Fit;
+    int kernels = kAutomatic; ///< of a fit
+    int iterations = 50;      ///< of projections, as is momentum
     double momentum = 0.9;
     Seed seed;
     bool seedLocked = false; ///< the dice leaves it alone
@@ -62,6 +67,9 @@ struct NoiseSettings {
     QString mesh = QStringLiteral("sphere"); ///< "plane", "sphere", "torus" or a file's path
     bool lighting = true;
 
+    QString map; ///< of a stack: the name of the one that is shown; empty: the shaded material
+    Light light; ///< of the material
+
     bool operator==(const NoiseSettings&) const = default;
 };
 
@@ -79,8 +87,8 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
-/// The solver's parameters.
-[[nodiscard]] TextonParams textonParams(const TextonSettings& settings);
+/// What core computes it by.
+[[nodiscard]] ComputeParams computeParams(const TextonSettings& settings);
 
 enum class Picture { Exemplar, Gaussian, Texton, Noise };
 inline constexpr std::array<Picture, 4> kPictures{

@@ -37,6 +37,15 @@ QCborValue imageValue(const Image& image) {
     return map;
 }
 
+QCborValue mapsValue(const MaterialMaps& maps) {
+    QCborArray array;
+    for (const MaterialMap& map : maps)
+        array.append(QCborMap{{QStringLiteral("name"), QString::fromStdString(map.name)},
+                              {QStringLiteral("kind"), static_cast<int>(map.kind)},
+                              {QStringLiteral("channels"), map.channels}});
+    return array;
+}
+
 QCborValue textonValue(const TextonAsset& asset) {
     const Texton& texton = asset.texton;
     const Size size = texton.support.size();
@@ -63,25 +72,39 @@ QCborValue textonValue(const TextonAsset& asset) {
     map[QStringLiteral("mni")] = asset.meanImpacts;
     map[QStringLiteral("seed")] = static_cast<qint64>(asset.seed.value);
     map[QStringLiteral("exemplar")] = QString::fromStdString(asset.exemplarName);
+    if (!asset.maps.empty())
+        map[QStringLiteral("maps")] = mapsValue(asset.maps);
+    return map;
+}
+
+QCborMap fileValue(const Source::File& file, ExemplarStorage storage, const QString& folder) {
+    QCborMap map;
+    map[QStringLiteral("name")] = file.name;
+    if (!file.sample.isEmpty()) {
+        map[QStringLiteral("sample")] = file.sample;
+        return map;
+    }
+    map[QStringLiteral("sha256")] = file.hash;
+    // Relative, so that folders can move and nothing is told of the machine.
+    const QString link = QDir(folder).relativeFilePath(file.path);
+    if (storage == ExemplarStorage::Linked && !file.path.isEmpty() && !QDir::isAbsolutePath(link))
+        map[QStringLiteral("link")] = link;
+    else
+        map[QStringLiteral("bytes")] = file.bytes;
     return map;
 }
 
 QCborValue sourceValue(const Source& source, ExemplarStorage storage, const QString& folder) {
-    QCborMap map;
-    map[QStringLiteral("name")] = source.name();
-    if (!source.sample().isEmpty()) {
-        map[QStringLiteral("sample")] = source.sample();
-        return map;
+    if (source.maps().empty())
+        return fileValue(source.files().front(), storage, folder);
+    QCborArray maps;
+    for (const Source::File& file : source.files()) {
+        QCborMap map = fileValue(file, storage, folder);
+        map[QStringLiteral("map")] = file.map;
+        map[QStringLiteral("kind")] = static_cast<int>(file.kind);
+        maps.append(map);
     }
-    map[QStringLiteral("sha256")] = source.hash();
-    // Relative, so that folders can move and nothing is told of the machine.
-    const QString link = QDir(folder).relativeFilePath(source.path());
-    if (storage == ExemplarStorage::Linked && !source.path().isEmpty() &&
-        !QDir::isAbsolutePath(link))
-        map[QStringLiteral("link")] = link;
-    else
-        map[QStringLiteral("bytes")] = source.bytes();
-    return map;
+    return QCborMap{{QStringLiteral("maps"), maps}};
 }
 
 QCborValue editValue(const ExemplarEdit& edit) {
@@ -96,6 +119,7 @@ QCborValue editValue(const ExemplarEdit& edit) {
         map[QStringLiteral("flatten")] = *edit.flattenRadiusPx;
     map[QStringLiteral("linear")] = edit.linear;
     map[QStringLiteral("periodic")] = edit.periodic;
+    map[QStringLiteral("flip_green")] = edit.flipGreen;
     return map;
 }
 
@@ -109,6 +133,8 @@ QCborValue settingsValue(const TextonSettings& texton) {
                     {QStringLiteral("height"), texton.support.height},
                     {QStringLiteral("shape"), static_cast<int>(texton.shape)},
                     {QStringLiteral("order"), texton.interpolationOrder},
+                    {QStringLiteral("method"), static_cast<int>(texton.method)},
+                    {QStringLiteral("kernels"), texton.kernels},
                     {QStringLiteral("iterations"), texton.iterations},
                     {QStringLiteral("momentum"), texton.momentum},
                     {QStringLiteral("seed"), static_cast<qint64>(texton.seed.value)},
@@ -125,7 +151,10 @@ QCborValue noiseValue(const NoiseSettings& noise, const QString& folder) {
                  {QStringLiteral("contrast"), noise.contrast},
                  {QStringLiteral("brightness"), noise.brightness},
                  {QStringLiteral("scene"), static_cast<int>(noise.scene)},
-                 {QStringLiteral("lighting"), noise.lighting}};
+                 {QStringLiteral("lighting"), noise.lighting},
+                 {QStringLiteral("map"), noise.map},
+                 {QStringLiteral("light_azimuth"), noise.light.azimuth},
+                 {QStringLiteral("light_elevation"), noise.light.elevation}};
     const QString link = QDir(folder).relativeFilePath(noise.mesh);
     map[QStringLiteral("mesh")] = builtinMesh(noise.mesh.toStdString()) ? noise.mesh
                                   : QDir::isAbsolutePath(link)          ? QFileInfo(link).fileName()
@@ -154,7 +183,7 @@ QCborValue viewValue(const ViewState& view) {
 }
 
 Result<std::shared_ptr<const Source>>
-readSource(const CborReader& reader, const QString& folder, QStringList& warnings) {
+readFile(const CborReader& reader, const QString& folder, QStringList& warnings) {
     const QString name = reader.text("name");
     if (const QString sample = reader.text("sample"); !sample.isEmpty())
         return sampleSource(sample);
@@ -168,6 +197,27 @@ readSource(const CborReader& reader, const QString& folder, QStringList& warning
         warnings.append(
             Warnings::tr("%1 has changed since the project was saved.").arg((*source)->name()));
     return source;
+}
+
+Result<std::shared_ptr<const Source>>
+readSource(const CborReader& reader, const QString& folder, QStringList& warnings) {
+    const QCborArray maps = reader.array("maps");
+    if (maps.isEmpty())
+        return readFile(reader, folder, warnings);
+    std::vector<Source::Part> parts;
+    for (const auto& value : maps) {
+        CborReader map(value.toMap());
+        auto source = readFile(map, folder, warnings);
+        if (!source)
+            return source.error();
+        const auto kind =
+            static_cast<MapKind>(map.integer("kind", 0, static_cast<qint64>(MapKind::Data), 0));
+        const QString name = map.text("map");
+        if (!map.isGood() || !isMapName(name.toStdString()))
+            return Error{ErrorCode::Unreadable, "a map of the material is damaged"};
+        parts.push_back({std::move(*source), name, kind});
+    }
+    return stackSource(parts);
 }
 
 } // namespace

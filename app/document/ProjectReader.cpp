@@ -100,6 +100,7 @@ bool readEdit(CborReader reader, ExemplarEdit& edit) {
         edit.flattenRadiusPx = reader.number("flatten", 0.5, 1e5, 80.0);
     edit.linear = reader.flag("linear", edit.linear);
     edit.periodic = reader.flag("periodic", edit.periodic);
+    edit.flipGreen = reader.flag("flip_green", edit.flipGreen);
     return reader.isGood();
 }
 
@@ -118,6 +119,9 @@ bool readSettings(CborReader reader, TextonSettings& texton) {
     texton.shape = static_cast<TextonSettings::Shape>(
         reader.integer("shape", 0, 2, static_cast<int>(texton.shape)));
     texton.interpolationOrder = order(reader, texton.interpolationOrder);
+    texton.method = choice(reader, "method", TextonMethod::Projections, texton.method);
+    texton.kernels = static_cast<int>(
+        reader.integer("kernels", 0, TextonSettings::kMostKernels, texton.kernels));
     texton.iterations =
         static_cast<int>(reader.integer("iterations", 1, 100000, texton.iterations));
     texton.momentum = reader.number("momentum", 0.0, 0.999, texton.momentum);
@@ -142,6 +146,9 @@ bool readNoise(CborReader reader, NoiseSettings& noise) {
     noise.lighting = reader.flag("lighting", noise.lighting);
     if (const QString mesh = reader.text("mesh"); !mesh.isEmpty())
         noise.mesh = mesh;
+    noise.map = reader.text("map");
+    noise.light.azimuth = reader.number("light_azimuth", -7.0, 7.0, noise.light.azimuth);
+    noise.light.elevation = reader.number("light_elevation", 0.0, 1.6, noise.light.elevation);
     return reader.isGood();
 }
 
@@ -216,7 +223,16 @@ Result<TextonAsset> readTextonAsset(CborReader reader) {
                                       asset.meanImpacts);
     asset.seed = readSeed(reader, "seed", asset.seed);
     asset.exemplarName = reader.text("exemplar").toStdString();
-    if (!reader.isGood())
+    for (const auto& value : reader.array("maps")) {
+        CborReader map(value.toMap());
+        asset.maps.push_back(
+            {map.text("name").toStdString(),
+             static_cast<MapKind>(map.integer("kind", 0, static_cast<qint64>(MapKind::Data), 0)),
+             static_cast<int>(map.integer("channels", 1, kMaxExemplarChannels, 1))});
+        if (!map.isGood() || !isMapName(asset.maps.back().name))
+            return damaged;
+    }
+    if (!reader.isGood() || (!asset.maps.empty() && channelCount(asset.maps) != texton.channels()))
         return damaged;
     return asset;
 }

@@ -2,6 +2,8 @@
 #include "app/document/Source.h"
 
 #include "core/export/Exporter.h"
+#include "core/gaussian/Exemplar.h"
+#include "core/material/MapStack.h"
 #include "core/samples/Samples.h"
 
 #include "app/memory/Background.h"
@@ -11,6 +13,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryFile>
+#include <algorithm>
 
 namespace txn::app {
 namespace {
@@ -62,15 +65,52 @@ Result<LoadedImage> drawnSample(const QString& sample) {
     return loaded;
 }
 
+Result<LoadedImage> decodedFile(const Source::File& file) {
+    return file.sample.isEmpty() ? decoded(file.bytes, file.name) : drawnSample(file.sample);
+}
+
+/// loaded: of the files, one each.
+Result<MapStack> stackOf(const std::vector<Source::File>& files, std::vector<Image> images) {
+    std::vector<MapPicture> pictures;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        pictures.push_back({files[i].map.toStdString(),
+                            files[i].kind,
+                            std::move(images[i]),
+                            files[i].name.toStdString()});
+    return stackMaps(std::move(pictures));
+}
+
+Result<LoadedImage> decodedStack(const std::vector<Source::File>& files) {
+    std::vector<Image> images;
+    std::optional<LoadedImage> first;
+    for (const Source::File& file : files) {
+        auto loaded = decodedFile(file);
+        if (!loaded)
+            return loaded.error();
+        images.push_back(loaded->image);
+        if (!first)
+            first = std::move(*loaded);
+    }
+    auto stack = stackOf(files, std::move(images));
+    if (!stack)
+        return stack.error();
+    first->image = std::move(stack->image);
+    first->alpha.reset();
+    return std::move(*first);
+}
+
 } // namespace
 
 Source::Source(File file, LoadedImage loaded)
-    : m_file(std::move(file)), m_facts{loaded.image.size(),
-                                       loaded.image.channels(),
-                                       loaded.sampleFormat,
-                                       loaded.image.transfer(),
-                                       loaded.iccConverted,
-                                       loaded.alpha.has_value()},
+    : Source(std::vector{std::move(file)}, {}, std::move(loaded)) {}
+
+Source::Source(std::vector<File> files, MaterialMaps maps, LoadedImage loaded)
+    : m_files(std::move(files)), m_maps(std::move(maps)), m_facts{loaded.image.size(),
+                                                                  loaded.image.channels(),
+                                                                  loaded.sampleFormat,
+                                                                  loaded.image.transfer(),
+                                                                  loaded.iccConverted,
+                                                                  loaded.alpha.has_value()},
       m_picture(std::make_shared<const LoadedImage>(std::move(loaded))) {}
 
 Result<Source::Picture> Source::picture() const {
@@ -78,8 +118,7 @@ Result<Source::Picture> Source::picture() const {
     const std::lock_guard lock(m_mutex);
     if (m_picture)
         return m_picture;
-    auto loaded =
-        m_file.sample.isEmpty() ? decoded(m_file.bytes, m_file.name) : drawnSample(m_file.sample);
+    auto loaded = m_maps.empty() ? decodedFile(m_files.front()) : decodedStack(m_files);
     if (!loaded)
         return loaded.error();
     const Picture picture = std::make_shared<const LoadedImage>(std::move(*loaded));
@@ -146,6 +185,57 @@ Result<std::shared_ptr<const Source>> sampleSource(const QString& sample) {
     return std::make_shared<const Source>(
         Source::File{sample + QStringLiteral(".png"), {}, sample, {}, {}},
         std::move(*loaded));
+}
+
+Result<std::shared_ptr<const Source>> stackSource(const std::vector<Source::Part>& parts) {
+    std::vector<Source::Part> ordered = parts;
+    std::stable_partition(ordered.begin(), ordered.end(), [](const Source::Part& part) {
+        return part.kind == MapKind::Color;
+    });
+    std::vector<Source::File> files;
+    std::vector<Image> images;
+    LoadedImage whole;
+    for (const Source::Part& part : ordered) {
+        const auto picture = part.source->picture();
+        if (!picture)
+            return picture.error();
+        // Bad samples are told by their file's name, before they are mixed.
+        auto checked = makeExemplar((*picture)->image, part.source->name().toStdString());
+        if (!checked)
+            return checked.error();
+        images.push_back(std::move(checked->image));
+        files.push_back(part.source->files().front());
+        files.back().map = part.map;
+        files.back().kind = part.kind;
+        if (files.size() == 1)
+            whole = **picture;
+    }
+    auto stack = stackOf(files, std::move(images));
+    if (!stack)
+        return stack.error();
+    whole.image = std::move(stack->image);
+    whole.alpha.reset();
+    return std::make_shared<const Source>(std::move(files),
+                                          std::move(stack->maps),
+                                          std::move(whole));
+}
+
+Result<std::shared_ptr<const Source>> openStack(const QStringList& paths) {
+    std::vector<Source::Part> parts;
+    for (const QString& path : paths) {
+        const auto kind = mapKindOfFileName(QFileInfo(path).fileName().toStdString());
+        if (!kind)
+            return Error{ErrorCode::InvalidArgument,
+                         quoted(toPath(QFileInfo(path).fileName())) +
+                             " does not say which map it is; put a word such as color, normal, "
+                             "height or roughness into its name, or open it alone"};
+        auto source = openSource(path);
+        if (!source)
+            return source.error();
+        parts.push_back(
+            {std::move(*source), QString::fromStdString(std::string(toString(*kind))), *kind});
+    }
+    return stackSource(parts);
 }
 
 } // namespace txn::app

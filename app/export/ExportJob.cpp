@@ -22,11 +22,13 @@ NoiseParams noiseParams(const NoiseSettings& noise) {
 
 const Error kCancelled{ErrorCode::Cancelled, "cancelled"};
 
+/// files: as of exportFiles, of which every output has its sidecar.
 Result<void> writeTexton(const QStringList& files, const ExportSnapshot& snapshot) {
+    const QLatin1String sidecar(".json");
     std::vector<std::filesystem::path> paths;
     for (const QString& file : files) {
-        if (!file.endsWith(QLatin1String(".json")))
-            paths.push_back(toPath(file));
+        if (file.endsWith(sidecar))
+            paths.push_back(toPath(file.chopped(sidecar.size())));
     }
     if (paths.empty())
         return Error{ErrorCode::InvalidArgument, "choose at least one kind of file"};
@@ -101,7 +103,7 @@ Result<void> writeEngine(const QStringList& files,
     }
     if (context.cancelled())
         return kCancelled;
-    if (auto ok = writeTexton({files.front()}, snapshot); !ok)
+    if (auto ok = writeTexton({files[1]}, snapshot); !ok)
         return ok.error();
     return output.commit();
 }
@@ -120,7 +122,7 @@ runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& co
         done = writeTexton(report.files, snapshot);
         break;
     case ExportKind::Noise: {
-        const auto clipped = writeNoise(report.files.front(), plan, snapshot, context);
+        const auto clipped = writeNoise(noiseFile(plan, snapshot), plan, snapshot, context);
         if (!clipped)
             return clipped.error();
         report.clippedShare = *clipped;

@@ -37,6 +37,16 @@ QString safe(QString name) {
     return name.isEmpty() ? QStringLiteral("texton") : name;
 }
 
+/// The file, or one for each map.
+QStringList mapFiles(const QString& file, const MaterialMaps& maps) {
+    if (maps.empty())
+        return {file};
+    QStringList files;
+    for (const MaterialMap& map : maps)
+        files << QString::fromStdString(mapFile(file.toStdString(), map.name).string());
+    return files;
+}
+
 } // namespace
 
 QString standardTemplate(const ExportPlan& plan) {
@@ -66,6 +76,10 @@ QString exportName(const ExportPlan& plan, const ExportSnapshot& snapshot) {
     return safe(name);
 }
 
+QString noiseFile(const ExportPlan& plan, const ExportSnapshot& snapshot) {
+    return QDir(plan.folder).filePath(exportName(plan, snapshot)) + ending(plan.format);
+}
+
 QStringList exportFiles(const ExportPlan& plan, const ExportSnapshot& snapshot) {
     const QString base = QDir(plan.folder).filePath(exportName(plan, snapshot));
     switch (plan.kind) {
@@ -76,13 +90,17 @@ QStringList exportFiles(const ExportPlan& plan, const ExportSnapshot& snapshot) 
                                           std::pair(plan.textonPng, ".png"),
                                           std::pair(plan.textonFile, ".texton")}) {
             const QString file = base + QLatin1String(end);
-            if (wanted)
+            if (wanted && QLatin1String(end) == QLatin1String(".png"))
+                files << mapFiles(file, snapshot.asset.maps) << file + QStringLiteral(".json");
+            else if (wanted)
                 files << file << file + QStringLiteral(".json");
         }
         return files;
     }
     case ExportKind::Noise:
-        return {base + ending(plan.format)};
+        return plan.format == ImageFormat::OpenExr
+                   ? QStringList{noiseFile(plan, snapshot)}
+                   : mapFiles(noiseFile(plan, snapshot), snapshot.asset.maps);
     case ExportKind::View:
         return {base + QStringLiteral(".png")};
     case ExportKind::Engine:

@@ -47,6 +47,9 @@ struct ExportSnapshot {
 /// characters, no dot at the start, at most 120 characters, never empty.
 [[nodiscard]] QString exportName(const ExportPlan& plan, const ExportSnapshot& snapshot);
 
+/// Where noise goes; of a stack, what its files' names are made of.
+[[nodiscard]] QString noiseFile(const ExportPlan& plan, const ExportSnapshot& snapshot);
+
 /// Every file that the export will write, sidecars included, in the plan's folder.
 [[nodiscard]] QStringList exportFiles(const ExportPlan& plan, const ExportSnapshot& snapshot);
 

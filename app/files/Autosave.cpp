@@ -32,7 +32,7 @@ QImage preview(const Project& project) {
         return {};
     const auto& crop = project.edit.crop;
     const auto part = crop ? txn::crop((*picture)->image, *crop) : Error{};
-    return toQImage(part ? *part : (*picture)->image);
+    return toQImage(part ? *part : (*picture)->image); // of a stack, its colors come first
 }
 
 QByteArray thumbnail(const Project& project) {

@@ -48,6 +48,14 @@ void FileController::open(const QString& path) {
     openPictureOrTexton(path);
 }
 
+void FileController::open(const QStringList& paths) {
+    if (paths.size() == 1) {
+        open(paths.front());
+        return;
+    }
+    openSource(tr("Opening the maps of a material"), [paths] { return openStack(paths); }, {});
+}
+
 void FileController::show(const Opened& opened, const QString& name) {
     // Nothing would get lost by closing a picture that was only looked at.
     const bool nothingToSave = !m_document.isModified() && m_document.filePath().isEmpty();
@@ -56,6 +64,7 @@ void FileController::show(const Opened& opened, const QString& name) {
         project.edit = ExemplarEdit{};
         project.source.reset();
         project.importedTexton.reset();
+        project.noise.map.clear();
         if (const auto* source = std::get_if<std::shared_ptr<const Source>>(&opened)) {
             project.source = *source;
             return;
@@ -149,8 +158,10 @@ void FileController::openDialog() {
                            "(*.texton *.exr *.png);;Projects (*.txnproj);;All files (*)"));
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &FileController::open);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+        open(paths);
+    });
     dialog->open();
 }
 
@@ -161,11 +172,14 @@ bool FileController::canOpen(const QMimeData& data) {
 }
 
 bool FileController::openMime(const QMimeData& data) {
+    QStringList paths;
     for (const QUrl& url : data.urls()) {
-        if (url.isLocalFile()) {
-            open(url.toLocalFile());
-            return true;
-        }
+        if (url.isLocalFile())
+            paths.append(url.toLocalFile());
+    }
+    if (!paths.isEmpty()) {
+        open(paths);
+        return true;
     }
     // A PNG is passed on as it is; other pictures are unpacked by Qt and packed again in the job.
     const QByteArray png = data.data(QStringLiteral("image/png"));

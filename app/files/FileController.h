@@ -28,6 +28,8 @@ class FileController : public QObject {
     /// A picture, texton or project, told by its content. Pictures and textons are undoable steps;
     /// a project takes the place of the open one, after asking to save that.
     void open(const QString& path);
+    /// Several pictures are the maps of one material, told by their names.
+    void open(const QStringList& paths);
     void openSample(const QString& name);
     void openDialog();
     /// A file's path or a picture. False if there is nothing of the kind in it.

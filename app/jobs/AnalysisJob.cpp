@@ -37,7 +37,7 @@ Result<std::shared_ptr<const AnalysisResult>> analyseAll(const ExemplarResult& e
     context.setProgress(0.3);
     if (context.cancelled())
         return cancelled;
-    result->gaussian = analyseTexture(middle(gaussian.picture.image()));
+    result->gaussian = analyseTexture(middle(gaussian.image));
     context.setProgress(0.6);
     if (context.cancelled())
         return cancelled;

@@ -2,9 +2,10 @@
 #include "app/jobs/ExemplarJob.h"
 
 #include "app/memory/Background.h"
+#include "core/gaussian/ExemplarEdits.h"
 #include "core/image/ColorTransfer.h"
 #include "core/image/ImageGeometry.h"
-#include "core/spectral/Lighting.h"
+#include "core/material/MapStack.h"
 #include "core/spectral/PeriodicComponent.h"
 
 #include <algorithm>
@@ -40,27 +41,37 @@ QImage seam(const PicturePyramid& picture) {
     return picture.draw(window, {});
 }
 
+/// What stands for the whole: the picture, or the first map of a stack.
+Image mapPicture(const Image& image, const MaterialMaps& maps) {
+    return maps.empty() ? image : txn::mapPicture(image, maps, 0);
+}
+
 /// The edits in their order, on an exemplar whose samples are all numbers. Sets beforeFlattening if
 /// the lighting is evened.
-Result<Image> edited(Image image,
-                     const ExemplarEdit& edit,
-                     std::optional<Image>& beforeFlattening,
-                     JobContext& context) {
+Result<Exemplar> edited(Exemplar exemplar,
+                        const ExemplarEdit& edit,
+                        std::optional<Image>& beforeFlattening,
+                        JobContext& context) {
+    if (edit.flipGreen)
+        flipGreen(exemplar.image, exemplar.maps);
     if (edit.straightenDegrees != 0.0) {
-        auto turned = rotated(image, edit.straightenDegrees, context.token());
-        if (!turned)
-            return turned;
-        image = std::move(*turned);
+        auto upright = turned(std::move(exemplar), edit.straightenDegrees, context.token());
+        if (!upright)
+            return upright;
+        exemplar = std::move(*upright);
     }
     context.setProgress(0.2);
     if (edit.flattenRadiusPx) {
-        auto flat = flattenLighting(image, *edit.flattenRadiusPx, context.token());
-        if (!flat)
-            return flat;
-        beforeFlattening = std::exchange(image, std::move(*flat));
+        beforeFlattening = mapPicture(exemplar.image, exemplar.maps);
+        auto even = lightingEvened(std::move(exemplar), *edit.flattenRadiusPx, context.token());
+        if (!even)
+            return even;
+        exemplar = std::move(*even);
     }
     context.setProgress(0.4);
-    return edit.linear ? toLinear(std::move(image)) : std::move(image);
+    if (edit.linear && exemplar.maps.empty())
+        exemplar.image = toLinear(std::move(exemplar.image));
+    return exemplar;
 }
 
 } // namespace
@@ -85,17 +96,17 @@ Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     if (!part)
         return named(part.error());
     // Before samples that are not numbers can spread by filtering.
-    auto checked = makeExemplar(std::move(*part), name);
+    auto checked = makeExemplar(std::move(*part), name, source->maps());
     if (!checked)
         return checked.error();
     context.setProgress(0.1);
     if (context.cancelled())
         return cancelled;
     std::optional<Image> beforeFlattening;
-    auto image = edited(std::move(checked->image), edit, beforeFlattening, context);
-    if (!image)
-        return named(image.error());
-    auto exemplar = makeExemplar(std::move(*image), name);
+    auto changed = edited(std::move(*checked), edit, beforeFlattening, context);
+    if (!changed)
+        return named(changed.error());
+    auto exemplar = makeExemplar(std::move(changed->image), name, std::move(changed->maps));
     if (!exemplar)
         return exemplar.error();
     if (context.cancelled())
@@ -104,31 +115,31 @@ Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     context.setProgress(0.7);
     if (context.cancelled())
         return cancelled;
-    PicturePyramid pyramid(exemplar->image);
+    MapPictures pictures = mapPictures(exemplar->image, exemplar->maps);
     context.setProgress(0.8);
     if (context.cancelled())
         return cancelled;
     auto result = std::make_shared<ExemplarResult>(ExemplarResult{source,
                                                                   std::move(*exemplar),
                                                                   std::move(model),
-                                                                  std::move(pyramid),
+                                                                  std::move(pictures),
                                                                   {},
                                                                   {},
                                                                   {},
                                                                   {},
                                                                   {}});
-    result->evenAfter = overview(result->picture, kPreviewPx);
+    result->evenAfter = overview(result->pictures.front(), kPreviewPx);
     result->evenBefore = beforeFlattening
                              ? overview(PicturePyramid(std::move(*beforeFlattening)), kPreviewPx)
                              : result->evenAfter;
-    result->seamBefore = seam(result->picture);
+    result->seamBefore = seam(result->pictures.front());
     context.setProgress(0.9);
     if (context.cancelled())
         return cancelled;
-    result->overview = overview(PicturePyramid(picture), kOverviewPx);
+    result->overview = overview(PicturePyramid(mapPicture(picture, source->maps())), kOverviewPx);
     if (context.cancelled())
         return cancelled;
-    result->seamAfter = seam(PicturePyramid(periodicComponent(result->exemplar.image)));
+    result->seamAfter = seam(PicturePyramid(periodicComponent(result->pictures.front().image())));
     return freedInBackground<ExemplarResult>(std::move(result));
 }
 

@@ -2,24 +2,28 @@
 #include "app/jobs/TextonJob.h"
 
 #include "core/sheet/ContactSheet.h"
-#include "core/texton/ColorCorrection.h"
-#include "core/texton/TextonSolver.h"
 
 #include <QElapsedTimer>
+#include <algorithm>
 
 namespace txn::app {
 namespace {
 
 /// Often enough to see the texton form, seldom enough to cost little.
+/// Often enough to see the texton form, seldom enough to cost little.
 constexpr qint64 kPublishEveryMs = 80;
+/// Before that, a fit still looks like the noise it began with.
+constexpr int kFirstUsable = 12;
 /// From one point of the error curve to the next.
 constexpr double kCurveSpacing = 1.25;
 
-std::shared_ptr<TextonResult> toResult(Texton texton) {
+std::shared_ptr<TextonResult> toResult(Texton texton, const MaterialMaps& maps) {
+    auto result = std::make_shared<TextonResult>();
     // One pixel of the picture per coefficient, whatever the limit.
-    PicturePyramid picture(textonPicture(texton, {0, 0}));
-    return std::make_shared<TextonResult>(
-        TextonResult{std::move(texton), std::move(picture), {}, 0, 0, 0.0, false, false});
+    result->pictures = mapPictures(textonPicture(texton, {0, 0}), maps);
+    result->maps = maps;
+    result->texton = std::move(texton);
+    return result;
 }
 
 } // namespace
@@ -31,62 +35,88 @@ computeTexton(const ExemplarResult& exemplar,
               const std::function<void(std::shared_ptr<const TextonResult>)>& publish) {
     QElapsedTimer watch;
     watch.start();
-    auto solver = TextonSolver::create(exemplar.model, textonParams(settings));
-    if (!solver)
-        return Error{solver.error().code,
-                     txn::quoted(std::filesystem::path(exemplar.exemplar.name)) + ": " +
-                         solver.error().message};
+    const ComputeParams params = computeParams(settings);
     std::vector<ErrorPoint> curve;
-    // Measuring costs half an iteration, so the points get sparser as the curve gets flatter.
-    const auto measure = [&] {
-        if (curve.empty() || curve.back().iteration != solver->iteration())
-            curve.push_back({solver->iteration(), solver->relativeModelError()});
-    };
-    const auto result = [&] {
-        Texton texton = solver->texton();
-        if (settings.colorCorrection)
-            texton = colorCorrected(texton, exemplar.model.covariance());
-        auto made = toResult(std::move(texton));
-        measure();
-        made->curve = curve;
-        made->iteration = solver->iteration();
-        made->iterations = settings.iterations;
-        made->relativeModelError = settings.colorCorrection
-                                       ? solver->relativeModelError(made->texton)
-                                       : curve.back().relativeModelError;
-        made->finished = solver->done();
-        return made;
-    };
     qint64 published = -kPublishEveryMs;
-    while (!solver->done()) {
-        if (context.cancelled())
-            return Error{ErrorCode::Cancelled, "cancelled"};
-        solver->step();
-        if (curve.empty() || solver->iteration() >= kCurveSpacing * curve.back().iteration)
-            measure();
-        context.setProgress(static_cast<double>(solver->iteration()) / settings.iterations);
-        if (!solver->done() && watch.elapsed() - published >= kPublishEveryMs) {
-            publish(result());
-            published = watch.elapsed();
-        }
-    }
-    return std::shared_ptr<const TextonResult>(result());
+    const auto observe = [&](const ComputeProgress& now) {
+        context.setProgress(now.share);
+        // Measuring may cost half an iteration, so the points get sparser as the curve gets
+        // flatter.
+        if (!now.choosingKernels &&
+            (curve.empty() || now.iteration >= kCurveSpacing * curve.back().iteration))
+            curve.push_back({now.iteration, now.error()});
+        const bool usable = params.method == TextonMethod::Projections ||
+                            now.iteration >= std::min(kFirstUsable, now.iterations);
+        if (!usable || now.share >= 1.0 || watch.elapsed() - published < kPublishEveryMs)
+            return;
+        auto made = toResult(now.texton(), exemplar.exemplar.maps);
+        made->curve = curve;
+        made->iteration = now.iteration;
+        made->iterations = now.iterations;
+        made->method = params.method;
+        made->choosingKernels = now.choosingKernels;
+        made->error = now.error();
+        publish(std::move(made));
+        published = watch.elapsed();
+    };
+    int iterations = 0;
+    auto computed = txn::computeTexton(
+        exemplar.exemplar,
+        exemplar.model,
+        params,
+        [&](const ComputeProgress& now) {
+            iterations = now.iteration;
+            observe(now);
+        },
+        context.token());
+    if (!computed)
+        return computed.error().code == ErrorCode::Cancelled
+                   ? computed.error()
+                   : Error{computed.error().code,
+                           txn::quoted(std::filesystem::path(exemplar.exemplar.name)) + ": " +
+                               computed.error().message};
+    auto result = toResult(std::move(computed->texton), exemplar.exemplar.maps);
+    if (curve.empty() || curve.back().iteration != iterations)
+        curve.push_back({iterations, computed->error});
+    result->curve = std::move(curve);
+    result->iteration = iterations;
+    result->iterations = iterations;
+    result->method = params.method;
+    result->error = computed->error;
+    result->relativeModelError = computed->relativeModelError;
+    result->trialErrors = std::move(computed->trialErrors);
+    if (const auto dial = covarianceError(exemplar.exemplar, result->texton))
+        result->dial = *dial;
+    result->finished = true;
+    return std::shared_ptr<const TextonResult>(std::move(result));
 }
 
 std::shared_ptr<const TextonResult> importedTexton(const TextonAsset& asset) {
-    auto made = toResult(asset.texton);
+    auto made = toResult(asset.texton, asset.maps);
     made->finished = true;
     made->imported = true;
     return made;
 }
 
-Texton adjusted(Texton texton, double contrast, double brightness) {
+Texton adjusted(Texton texton, const MaterialMaps& maps, double contrast, double brightness) {
+    // Of a stack, only the colors: lighter normals are nonsense.
+    const auto color = findMap(maps, MapKind::Color);
+    const auto isColor = [&](int c) {
+        return maps.empty() || (color && c >= firstChannel(maps, *color) &&
+                                c < firstChannel(maps, *color) + maps[*color].channels);
+    };
     for (Image& kernel : texton.kernels) {
-        for (float& v : kernel.samples())
-            v *= static_cast<float>(contrast);
+        for (int c = 0; c < kernel.channels(); ++c) {
+            if (!isColor(c))
+                continue;
+            for (float& v : kernel.plane(c))
+                v *= static_cast<float>(contrast);
+        }
     }
-    for (double& mean : texton.mean)
-        mean += brightness;
+    for (int c = 0; c < texton.channels(); ++c) {
+        if (isColor(c))
+            texton.mean[static_cast<std::size_t>(c)] += brightness;
+    }
     return texton;
 }
 

@@ -8,7 +8,7 @@
 namespace txn::app {
 
 /// Computes the texton, telling publish about it several times a second on the way. Errors: those
-/// of TextonSolver, naming the exemplar; Cancelled.
+/// of txn::computeTexton, naming the exemplar; Cancelled.
 [[nodiscard]] Result<std::shared_ptr<const TextonResult>>
 computeTexton(const ExemplarResult& exemplar,
               const TextonSettings& settings,
@@ -18,7 +18,9 @@ computeTexton(const ExemplarResult& exemplar,
 /// A texton that was opened, as a result.
 [[nodiscard]] std::shared_ptr<const TextonResult> importedTexton(const TextonAsset& asset);
 
-/// The texton whose noise has the given contrast and brightness: noise is linear in it.
-[[nodiscard]] Texton adjusted(Texton texton, double contrast, double brightness);
+/// The texton whose noise, or of a stack the noise's colors, has the given contrast and brightness:
+/// noise is linear in it.
+[[nodiscard]] Texton
+adjusted(Texton texton, const MaterialMaps& maps, double contrast, double brightness);
 
 } // namespace txn::app

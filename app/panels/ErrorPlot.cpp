@@ -33,7 +33,7 @@ ErrorPlot::ErrorPlot(QWidget* parent)
         axis->setLineVisible(false);
     }
     m_iterations->setLabelFormat(QStringLiteral("%.0f"));
-    m_iterations->setTitleText(tr("Model error against iterations"));
+    m_iterations->setTitleText(tr("Error against iterations"));
     m_error->setLabelFormat(QStringLiteral("%.2f"));
     m_error->setRange(0.0, 1.0);
     plot->addAxis(m_iterations, Qt::AlignBottom);
@@ -51,12 +51,12 @@ ErrorPlot::ErrorPlot(QWidget* parent)
 void ErrorPlot::showCurve(const std::vector<ErrorPoint>& curve, int iterations) {
     QList<QPointF> points;
     points.reserve(static_cast<qsizetype>(curve.size()));
-    double lowest = curve.empty() ? 0.0 : curve.front().relativeModelError;
+    double lowest = curve.empty() ? 0.0 : curve.front().error;
     double highest = curve.empty() ? 1.0 : lowest;
     for (const ErrorPoint& point : curve) {
-        points.append({static_cast<double>(point.iteration), point.relativeModelError});
-        lowest = std::min(lowest, point.relativeModelError);
-        highest = std::max(highest, point.relativeModelError);
+        points.append({static_cast<double>(point.iteration), point.error});
+        lowest = std::min(lowest, point.error);
+        highest = std::max(highest, point.error);
     }
     m_series->replace(points);
     m_iterations->setRange(0.0, std::max(1, iterations));

@@ -10,7 +10,7 @@ class QValueAxis;
 
 namespace txn::app {
 
-/// The relative model error against iterations.
+/// The error of the method against iterations.
 class ErrorPlot : public QChartView {
     Q_OBJECT
 

@@ -14,6 +14,7 @@
 #include <QLocale>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace txn::app {
 namespace {
@@ -33,6 +34,42 @@ QString depthText(SampleFormat format) {
         break;
     }
     return ExemplarPanel::tr("32 bit float");
+}
+
+QString kindText(MapKind kind) {
+    switch (kind) {
+    case MapKind::Color:
+        return ExemplarPanel::tr("Color");
+    case MapKind::Normal:
+        return ExemplarPanel::tr("Normals");
+    case MapKind::NormalYDown:
+        return ExemplarPanel::tr("Normals, green down");
+    case MapKind::Height:
+        return ExemplarPanel::tr("Height");
+    case MapKind::Roughness:
+        return ExemplarPanel::tr("Roughness");
+    case MapKind::Occlusion:
+        return ExemplarPanel::tr("Occlusion");
+    case MapKind::Metalness:
+        return ExemplarPanel::tr("Metalness");
+    case MapKind::Packed:
+        return ExemplarPanel::tr("Occlusion, roughness, metalness");
+    case MapKind::Data:
+        break;
+    }
+    return ExemplarPanel::tr("Data");
+}
+
+QString mapsText(const Source& source) {
+    QStringList lines;
+    for (const Source::File& file : source.files())
+        lines << ExemplarPanel::tr("%1: %2").arg(kindText(file.kind), file.name);
+    return lines.join(QLatin1Char('\n'));
+}
+
+bool hasNormals(const Source& source) {
+    return std::ranges::any_of(source.maps(),
+                               [](const MaterialMap& map) { return isNormal(map.kind); });
 }
 
 QString channelText(int channels) {
@@ -180,6 +217,20 @@ void ExemplarPanel::build() {
     m_facts->setProperty("role", QStringLiteral("secondary"));
     m_facts->setWordWrap(true);
 
+    m_maps = new QLabel;
+    m_maps->setObjectName(QStringLiteral("exemplarMaps"));
+    m_maps->setWordWrap(true);
+    m_maps->setToolTip(
+        tr("The maps of this material, told by the words in their names. Their noise "
+           "comes from the same impacts, so that they stay in register."));
+    m_flipGreen = new QCheckBox(tr("Green points the other way"));
+    m_flipGreen->setObjectName(QStringLiteral("exemplarFlipGreen"));
+    m_flipGreen->setToolTip(tr("For normal maps made for another program: switch it on if bumps "
+                               "look like dents."));
+    connect(m_flipGreen, &QCheckBox::clicked, this, [this](bool on) {
+        change(tr("Green of the normals"), [&](ExemplarEdit& edit) { edit.flipGreen = on; });
+    });
+
     m_verdictIcon = new QLabel;
     m_verdictIcon->setFixedSize(kIconPx, kIconPx);
     m_verdict = new QLabel;
@@ -271,6 +322,8 @@ void ExemplarPanel::build() {
     column->addWidget(m_canvas);
     column->addWidget(tools);
     column->addWidget(m_facts);
+    column->addWidget(m_maps);
+    column->addWidget(m_flipGreen);
     column->addSpacing(12);
     column->addLayout(verdict);
     column->addWidget(m_reason);
@@ -305,7 +358,13 @@ void ExemplarPanel::showSettings() {
     m_angle->setValue(edit.straightenDegrees);
     const bool linearFile = open && project.source->facts().transfer == Transfer::Linear;
     m_space->setCurrent(edit.linear || linearFile ? 1 : 0);
-    m_space->setEnabled(open && !linearFile); // such a file has no other values
+    const bool stack = open && !project.source->maps().empty();
+    // Such a file has no other values; and the colors of a stack stay encoded.
+    m_space->setEnabled(open && !linearFile && !stack);
+    m_maps->setVisible(stack);
+    m_maps->setText(stack ? mapsText(*project.source) : QString());
+    m_flipGreen->setVisible(stack && hasNormals(*project.source));
+    m_flipGreen->setChecked(edit.flipGreen);
     m_even->setChecked(edit.flattenRadiusPx.has_value());
     m_radius->setEnabled(open && edit.flattenRadiusPx.has_value());
     m_radius->setVisible(edit.flattenRadiusPx.has_value());

@@ -50,6 +50,8 @@ class ExemplarPanel : public QWidget {
     QCheckBox* m_even = nullptr;
     ValueSlider* m_radius = nullptr;
     BeforeAfter* m_evenPreview = nullptr;
+    QLabel* m_maps = nullptr;
+    QCheckBox* m_flipGreen = nullptr;
     QCheckBox* m_periodic = nullptr;
     BeforeAfter* m_seamPreview = nullptr;
 };

@@ -350,8 +350,10 @@ ExportSnapshot ExportDialog::snapshot() const {
         shot.name = tr("material");
     shot.asset.process = project.noise.process;
     shot.asset.meanImpacts = project.noise.meanImpacts;
-    if (m_pipeline.noiseTexton())
+    if (m_pipeline.noiseTexton()) {
         shot.asset.texton = *m_pipeline.noiseTexton();
+        shot.asset.maps = m_pipeline.shownTexton()->maps;
+    }
     return shot;
 }
 

@@ -187,14 +187,21 @@ void NoisePanel::build() {
     m_screenshot->setToolTip(tr("Saves what the noise view shows as a PNG file."));
     connect(m_screenshot, &QPushButton::clicked, this, &NoisePanel::screenshotRequested);
 
+    buildMaterial();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(4);
     for (QWidget* row : std::initializer_list<QWidget*>{m_impacts, m_process, m_seed})
         column->addWidget(row);
     column->addSpacing(8);
-    for (QWidget* row :
-         std::initializer_list<QWidget*>{m_scene, m_mesh, m_lighting, m_filter, m_scale})
+    for (QWidget* row : std::initializer_list<QWidget*>{m_map,
+                                                        m_lightAngle,
+                                                        m_lightHeight,
+                                                        m_scene,
+                                                        m_mesh,
+                                                        m_lighting,
+                                                        m_filter,
+                                                        m_scale})
         column->addWidget(row);
     column->addSpacing(8);
     for (QWidget* row : std::initializer_list<QWidget*>{m_contrast, m_brightness, m_clipped})
@@ -203,6 +210,81 @@ void NoisePanel::build() {
     column->addWidget(m_speed);
     column->addWidget(m_screenshot);
     column->addStretch();
+}
+
+void NoisePanel::buildMaterial() {
+    m_map = new ChoiceRow(tr("Show"), {tr("Material")});
+    m_map->setObjectName(QStringLiteral("noiseMap"));
+    m_map->setToolTip(tr("All maps of the material together under a light, or one of them."));
+    connect(m_map, &ChoiceRow::chosen, this, [this](int index) {
+        change(tr("Shown map"), [&](NoiseSettings& noise) {
+            noise.map = index == 0 ? QString() : m_map->box().itemText(index);
+        });
+    });
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    m_lightAngle = new ValueSlider(tr("Light from"),
+                                   {0.0,
+                                    360.0,
+                                    135.0,
+                                    0,
+                                    ValueSlider::Scale::Linear,
+                                    {0.0, 90.0, 180.0, 270.0, 360.0},
+                                    QStringLiteral("\u00b0"),
+                                    0.0,
+                                    360.0});
+    m_lightAngle->setObjectName(QStringLiteral("noiseLightAngle"));
+    m_lightAngle->setToolTip(tr("Where the light comes from: 0 is the right, 90 the top. Or drag "
+                                "with the right button in the view."));
+    connect(m_lightAngle, &ValueSlider::valueEdited, this, [this](double value, Gesture gesture) {
+        change(
+            tr("Light"),
+            [&](NoiseSettings& noise) { noise.light.azimuth = kDegree * value; },
+            gesture);
+    });
+    m_lightHeight = new ValueSlider(tr("Light height"),
+                                    {0.0,
+                                     90.0,
+                                     45.0,
+                                     0,
+                                     ValueSlider::Scale::Linear,
+                                     {45.0},
+                                     QStringLiteral("\u00b0"),
+                                     0.0,
+                                     90.0});
+    m_lightHeight->setObjectName(QStringLiteral("noiseLightHeight"));
+    m_lightHeight->setToolTip(
+        tr("How high the light stands. Low light shows the relief, high light the colors."));
+    connect(m_lightHeight, &ValueSlider::valueEdited, this, [this](double value, Gesture gesture) {
+        change(
+            tr("Light height"),
+            [&](NoiseSettings& noise) { noise.light.elevation = kDegree * value; },
+            gesture);
+    });
+}
+
+void NoisePanel::showMaterial() {
+    const Project& project = m_document.project();
+    const MaterialMaps maps = project.source           ? project.source->maps()
+                              : project.importedTexton ? project.importedTexton->maps
+                                                       : MaterialMaps{};
+    while (m_map->box().count() > 1)
+        m_map->box().removeItem(1);
+    int current = 0;
+    for (const MaterialMap& map : maps) {
+        const QString name = QString::fromStdString(map.name);
+        m_map->box().addItem(name);
+        if (name == project.noise.map)
+            current = m_map->box().count() - 1;
+    }
+    m_map->setCurrent(current);
+    m_map->setVisible(!maps.empty());
+    const bool lit = !maps.empty() && current == 0;
+    m_lightAngle->setVisible(lit);
+    m_lightHeight->setVisible(lit);
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const double angle = std::fmod(kDegrees * project.noise.light.azimuth + 720.0, 360.0);
+    m_lightAngle->setValue(angle);
+    m_lightHeight->setValue(kDegrees * project.noise.light.elevation);
 }
 
 void NoisePanel::chooseMesh(int index) {
@@ -239,8 +321,11 @@ void NoisePanel::showSettings() {
     m_mesh->setCurrent(static_cast<int>(known - kMeshes.begin()));
     const bool onMesh = noise.scene == NoiseScene::Mesh || noise.scene == NoiseScene::Surface;
     m_mesh->setVisible(onMesh);
-    m_lighting->setVisible(onMesh);
+    const bool material =
+        m_document.project().source && !m_document.project().source->maps().empty();
+    m_lighting->setVisible(onMesh && !material);
     m_lighting->setChecked(noise.lighting);
+    showMaterial();
     m_filter->setCurrent(static_cast<int>(noise.filter));
     m_scale->setValue(noise.scale);
     m_contrast->setValue(noise.contrast);

@@ -32,6 +32,8 @@ class NoisePanel : public QWidget {
 
   private:
     void build();
+    void buildMaterial();
+    void showMaterial();
     void showSettings();
     void chooseMesh(int index);
     void change(const QString& text,
@@ -47,6 +49,9 @@ class NoisePanel : public QWidget {
     ChoiceRow* m_scene = nullptr;
     ChoiceRow* m_mesh = nullptr;
     QCheckBox* m_lighting = nullptr;
+    ChoiceRow* m_map = nullptr;
+    ValueSlider* m_lightAngle = nullptr;
+    ValueSlider* m_lightHeight = nullptr;
     ChoiceRow* m_filter = nullptr;
     ValueSlider* m_scale = nullptr;
     ValueSlider* m_contrast = nullptr;

@@ -14,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,6 +22,7 @@ namespace txn::app {
 namespace {
 
 constexpr std::array kOrders{0, 1, 3, 5};
+constexpr std::array kKernels{TextonSettings::kAutomatic, 1, 2, 3, 4, 8, 16};
 constexpr int kPollMs = 100;
 constexpr int kProgressSteps = 1000;
 
@@ -36,14 +38,63 @@ ValueSlider::Range sideRange() {
             TextonSettings::kMaxSidePx};
 }
 
-/// What an artist makes of the relative model error.
-QString inWords(double error, bool suits) {
-    if (error <= 0.55)
+/// What an artist makes of the error: how many times the floor it is, and whether the support holds
+/// the grain.
+QString inWords(const TextonResult& result,
+                const std::optional<SupportSuggestion>& suggestion,
+                bool suits) {
+    constexpr double kClose = 1.25;
+    constexpr double kFair = 2.5;
+    if (!result.finished)
+        return result.choosingKernels ? TextonPanel::tr("Choosing the number of kernels")
+                                      : TextonPanel::tr("Getting closer");
+    const Size side = result.texton.support.size();
+    if (suggestion && 2 * std::max(side.width, side.height) <= suggestion->side)
+        return TextonPanel::tr("Long grain is lost. Try a larger support");
+    if (!result.dial || !(result.dial->floor > 0.0))
+        return TextonPanel::tr("Done");
+    const double ratio = result.dial->error / result.dial->floor;
+    if (ratio <= kClose)
         return suits ? TextonPanel::tr("As close as two photos of this material")
                      : TextonPanel::tr("As close as this method gets");
-    if (error <= 0.75)
-        return TextonPanel::tr("Fair. A larger support may help");
-    return TextonPanel::tr("Long grain is lost. Try a larger support");
+    if (ratio <= kFair)
+        return TextonPanel::tr("Close. A larger support or another seed may help");
+    return TextonPanel::tr("Fair. The material has more order than noise can keep");
+}
+
+QString inNumbers(const TextonResult& result) {
+    const QLocale locale;
+    QStringList parts;
+    if (result.dial && result.dial->floor > 0.0)
+        parts << TextonPanel::tr("Covariance error %1 \u00d7 the floor (%2)")
+                     .arg(locale.toString(result.dial->error / result.dial->floor, 'f', 2),
+                          locale.toString(result.dial->error, 'f', 3));
+    if (result.relativeModelError)
+        parts << TextonPanel::tr("Relative model error %1")
+                     .arg(locale.toString(*result.relativeModelError, 'f', 3));
+    if (!result.finished)
+        parts << TextonPanel::tr("Error %1 after %2 iterations")
+                     .arg(locale.toString(result.error, 'f', 3), locale.toString(result.iteration));
+    return parts.join(QLatin1Char('\n'));
+}
+
+/// What each number of kernels brings, and what it takes on a graphics card.
+QString trialText(const TextonResult& result) {
+    const QLocale locale;
+    const Size footprint = result.texton.footprint();
+    const int groups = (result.texton.channels() + 3) / 4;
+    const double kernelKb = static_cast<double>(footprint.area()) * groups * 4 * 4 / 1024.0;
+    QStringList lines;
+    for (std::size_t q = 1; q <= result.trialErrors.size(); ++q) {
+        const QString line = TextonPanel::tr("Kernels: %1, error %2, %3 KB")
+                                 .arg(q)
+                                 .arg(locale.toString(result.trialErrors[q - 1], 'f', 3),
+                                      locale.toString(kernelKb * static_cast<double>(q), 'f', 0));
+        lines << (static_cast<int>(q) == result.texton.kernelCount()
+                      ? line + QStringLiteral(" \u2713")
+                      : line);
+    }
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString inSeconds(qint64 milliseconds) {
@@ -94,9 +145,11 @@ QWidget* TextonPanel::buildResult() {
     m_numbers->setObjectName(QStringLiteral("textonNumbers"));
     m_numbers->setProperty("role", QStringLiteral("secondary"));
     m_numbers->setWordWrap(true);
-    m_numbers->setToolTip(
-        tr("The relative model error: 0 is the same texture. The method leaves about "
-           "0.46 of the photo's own randomness, so do not expect 0."));
+    m_numbers->setToolTip(tr(
+        "How far the noise's correlations are from the photo's. At 1 \u00d7 the floor they are as "
+        "close as one half of the photo is to all of it. The relative model error stays near 0.46 "
+        "even for a perfect texton, because it compares with one photo, in which every wave's "
+        "strength is random."));
     m_progress = new QProgressBar;
     m_progress->setObjectName(QStringLiteral("textonProgress"));
     m_progress->setRange(0, kProgressSteps);
@@ -130,7 +183,80 @@ QWidget* TextonPanel::buildResult() {
     return box;
 }
 
+void TextonPanel::buildMethod() {
+    m_suggest = new QPushButton;
+    m_suggest->setObjectName(QStringLiteral("textonSuggest"));
+    m_suggest->setAccessibleName(tr("Use the suggested support"));
+    connect(m_suggest, &QPushButton::clicked, this, [this] {
+        const auto suggestion = m_pipeline.suggestedSupport();
+        if (!suggestion)
+            return;
+        change(tr("Suggested support"), [&](TextonSettings& texton) {
+            texton.support = {suggestion->side, suggestion->side};
+        });
+    });
+    m_method = new ChoiceRow(tr("Method"), {tr("Best fit"), tr("Papers' projections")});
+    m_method->setObjectName(QStringLiteral("textonMethod"));
+    m_method->setToolTip(
+        tr("How the texton is found. Best fit comes closest for the same cost; the projections are "
+           "the papers' own way, to compare with."));
+    connect(m_method, &ChoiceRow::chosen, this, [this](int index) {
+        change(tr("Method"),
+               [&](TextonSettings& texton) { texton.method = static_cast<TextonMethod>(index); });
+    });
+    QStringList counts{tr("Automatic")};
+    for (std::size_t i = 1; i < kKernels.size(); ++i)
+        counts << QLocale().toString(kKernels[i]);
+    m_kernels = new ChoiceRow(tr("Kernels"), counts);
+    m_kernels->setObjectName(QStringLiteral("textonKernels"));
+    m_kernels->setToolTip(
+        tr("Each impact picks one of so many small pictures. More follow colors and maps that vary "
+           "independently, at the same speed. Automatic tries them on one half of the photo."));
+    connect(m_kernels, &ChoiceRow::chosen, this, [this](int index) {
+        change(tr("Kernels"), [&](TextonSettings& texton) {
+            texton.kernels = kKernels[static_cast<std::size_t>(index)];
+        });
+    });
+    m_trials = new QLabel;
+    m_trials->setObjectName(QStringLiteral("textonTrials"));
+    m_trials->setProperty("role", QStringLiteral("secondary"));
+    m_trials->setWordWrap(true);
+    m_trials->setToolTip(
+        tr("What was tried on one half of the photo: the error on the other half, and the memory "
+           "on a graphics card. The fewest within 5 % of the best are taken."));
+}
+
+std::vector<QWidget*> TextonPanel::rows() const {
+    return {m_width,
+            m_suggest,
+            m_shape,
+            m_height,
+            m_method,
+            m_kernels,
+            m_order,
+            m_iterations,
+            m_momentum,
+            m_seed,
+            m_colors};
+}
+
+void TextonPanel::showSuggestion() {
+    const auto suggestion = m_pipeline.suggestedSupport();
+    m_suggest->setText(suggestion ? tr("Suggested: %1 px").arg(suggestion->side)
+                                  : tr("Suggested: none"));
+    m_suggest->setToolTip(
+        suggestion
+            ? tr("As large as the grain of this material needs. A texton of that size leaves "
+                 "out %1 % of the correlation.")
+                  .arg(QLocale().toString(100.0 * suggestion->error, 'f', 0))
+            : tr("The photo is too small to tell how large its grain is."));
+    const TextonSettings& texton = m_document.project().texton;
+    m_suggest->setEnabled(suggestion && m_document.project().source &&
+                          texton.support != Size{suggestion->side, suggestion->side});
+}
+
 void TextonPanel::build() {
+    buildMethod();
     m_shape = new ChoiceRow(tr("Shape"), {tr("Square"), tr("Rectangle"), tr("Disc")});
     m_shape->setObjectName(QStringLiteral("textonShape"));
     m_shape->setToolTip(
@@ -249,24 +375,19 @@ void TextonPanel::build() {
 
     m_plot = new ErrorPlot;
     m_plot->setObjectName(QStringLiteral("textonPlot"));
-    m_plot->setAccessibleName(tr("Relative model error against iterations"));
-    m_plot->setToolTip(
-        tr("The relative model error while the texton is refined. Lower is closer."));
+    m_plot->setAccessibleName(tr("Error against iterations"));
+    m_plot->setToolTip(tr("The error while the texton is refined. Lower is closer."));
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(4);
     column->addWidget(buildResult());
     column->addSpacing(8);
-    for (QWidget* row : std::initializer_list<QWidget*>{m_width,
-                                                        m_shape,
-                                                        m_height,
-                                                        m_order,
-                                                        m_iterations,
-                                                        m_momentum,
-                                                        m_seed,
-                                                        m_colors})
+    for (QWidget* row : rows()) {
         column->addWidget(row);
+        if (row == m_kernels)
+            column->addWidget(m_trials);
+    }
     column->addSpacing(8);
     column->addWidget(m_plot);
     column->addStretch();
@@ -288,16 +409,17 @@ void TextonPanel::showSettings() {
     m_seed->setSeed(texton.seed.value);
     m_seed->setLocked(texton.seedLocked);
     m_colors->setChecked(texton.colorCorrection);
-    const bool open = project.source != nullptr;
-    for (QWidget* row : std::initializer_list<QWidget*>{m_width,
-                                                        m_shape,
-                                                        m_height,
-                                                        m_order,
-                                                        m_iterations,
-                                                        m_momentum,
-                                                        m_seed,
-                                                        m_colors})
-        row->setEnabled(open);
+    const bool fit = texton.method == TextonMethod::Fit;
+    m_method->setCurrent(static_cast<int>(texton.method));
+    const auto* known = std::find(kKernels.begin(), kKernels.end(), texton.kernels);
+    m_kernels->setCurrent(known == kKernels.end() ? 0 : static_cast<int>(known - kKernels.begin()));
+    m_kernels->setVisible(fit);
+    m_trials->setVisible(fit);
+    m_iterations->setVisible(!fit);
+    m_momentum->setVisible(!fit);
+    for (QWidget* row : rows())
+        row->setEnabled(project.source != nullptr);
+    showSuggestion();
 }
 
 void TextonPanel::showResult() {
@@ -305,23 +427,26 @@ void TextonPanel::showResult() {
     if (!result) {
         m_verdict->setText(tr("Open a photo to compute its texton"));
         m_numbers->setText(QStringLiteral(" "));
+        m_trials->clear();
         m_plot->showCurve({}, m_document.project().texton.iterations);
         return;
     }
     const Size side = result->texton.support.size();
-    const QLocale locale;
     if (result->imported) {
         m_verdict->setText(tr("A texton from a file"));
         m_numbers->setText(tr("%1 x %2 px").arg(side.width).arg(side.height));
+        m_trials->clear();
         m_plot->showCurve({}, 1);
         return;
     }
     const auto verdict = m_pipeline.verdict();
-    m_verdict->setText(
-        inWords(result->relativeModelError, verdict && verdict->verdict == Verdict::Suits));
-    m_numbers->setText(tr("Relative model error %1 after %2 iterations")
-                           .arg(locale.toString(result->relativeModelError, 'f', 3),
-                                locale.toString(result->iteration)));
+    m_verdict->setText(inWords(*result,
+                               m_pipeline.suggestedSupport(),
+                               verdict && verdict->verdict == Verdict::Suits));
+    m_numbers->setText(inNumbers(*result));
+    if (result->finished)
+        m_trials->setText(trialText(*result));
+    showSuggestion();
     m_plot->showCurve(result->curve, result->iterations);
 }
 

@@ -6,6 +6,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <vector>
 
 class QCheckBox;
 class QLabel;
@@ -33,6 +34,9 @@ class TextonPanel : public QWidget {
   private:
     void build();
     QWidget* buildResult();
+    void buildMethod();
+    std::vector<QWidget*> rows() const;
+    void showSuggestion();
     void showSettings();
     void showResult();
     void showProgress();
@@ -50,6 +54,10 @@ class TextonPanel : public QWidget {
     QProgressBar* m_progress = nullptr;
     QLabel* m_remaining = nullptr;
     QPushButton* m_cancel = nullptr;
+    QPushButton* m_suggest = nullptr;
+    ChoiceRow* m_method = nullptr;
+    ChoiceRow* m_kernels = nullptr;
+    QLabel* m_trials = nullptr;
     ChoiceRow* m_shape = nullptr;
     ValueSlider* m_width = nullptr;
     ValueSlider* m_height = nullptr;

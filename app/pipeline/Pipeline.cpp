@@ -3,6 +3,7 @@
 
 #include "app/jobs/AnalysisJob.h"
 #include "app/jobs/ExemplarJob.h"
+#include "app/jobs/JudgementJob.h"
 #include "app/jobs/TextonJob.h"
 #include "app/look/Words.h"
 #include "app/memory/Background.h"
@@ -87,21 +88,23 @@ void Pipeline::updateGaussian() {
         m_runner.cancel(JobKind::Gaussian);
         return;
     }
-    m_runner.submit(
-        JobKind::Gaussian,
-        tr("Making the Gaussian version"),
-        [this, key](JobContext& context) -> Delivery {
-            auto result = freedInBackground(
-                std::make_shared<const GaussianResult>(GaussianResult{PicturePyramid(
-                    sampleGaussian(key.exemplar->model, key.settings.method, key.settings.seed))}));
-            if (context.cancelled())
-                return {};
-            return [this, key, result = std::move(result)] {
-                m_gaussian.set(key, result);
-                emit gaussianChanged();
-                update();
-            };
-        });
+    m_runner.submit(JobKind::Gaussian,
+                    tr("Making the Gaussian version"),
+                    [this, key](JobContext& context) -> Delivery {
+                        Image image = sampleGaussian(key.exemplar->model,
+                                                     key.settings.method,
+                                                     key.settings.seed);
+                        auto pictures = mapPictures(image, key.exemplar->exemplar.maps);
+                        auto result = freedInBackground(std::make_shared<const GaussianResult>(
+                            GaussianResult{std::move(image), std::move(pictures)}));
+                        if (context.cancelled())
+                            return {};
+                        return [this, key, result = std::move(result)] {
+                            m_gaussian.set(key, result);
+                            emit gaussianChanged();
+                            update();
+                        };
+                    });
 }
 
 void Pipeline::updateTexton() {
@@ -196,17 +199,25 @@ void Pipeline::updateVerdict() {
         m_runner.cancel(JobKind::Verdict);
         return;
     }
-    m_runner.submit(
-        JobKind::Verdict,
-        tr("Judging the exemplar"),
-        [this, key](JobContext& context) -> Delivery {
-            auto result = assessSuitability(key->exemplar, key->model, context.token());
-            return [this, key, result = std::move(result)] {
-                // Without a verdict (a flat colour, say) the texton's job tells what is wrong.
-                m_verdict.set(key, result ? std::make_shared<const Suitability>(*result) : nullptr);
-                emit verdictChanged();
-            };
-        });
+    m_runner.submit(JobKind::Verdict,
+                    tr("Judging the exemplar"),
+                    [this, key](JobContext& context) -> Delivery {
+                        auto result = judge(*key, context);
+                        return [this, key, result = std::move(result)] {
+                            m_verdict.set(key, result);
+                            emit verdictChanged();
+                        };
+                    });
+}
+
+std::shared_ptr<const Suitability> Pipeline::verdict() const {
+    if (!m_verdict.value || !m_verdict.value->suitability)
+        return nullptr;
+    return {m_verdict.value, &*m_verdict.value->suitability};
+}
+
+std::optional<SupportSuggestion> Pipeline::suggestedSupport() const {
+    return m_verdict.value ? m_verdict.value->support : std::nullopt;
 }
 
 void Pipeline::setAnalysisWanted(bool wanted) {
@@ -283,16 +294,33 @@ void Pipeline::updateMesh() {
 
 void Pipeline::updateNoiseTexton() {
     const NoiseSettings& noise = m_document.project().noise;
-    if (m_noiseTextonOf == m_texton.value && m_contrast == noise.contrast &&
+    const auto shown = shownTexton();
+    if (m_noiseTextonOf == shown && m_contrast == noise.contrast &&
         m_brightness == noise.brightness)
         return;
-    m_noiseTextonOf = m_texton.value;
+    m_noiseTextonOf = shown;
     m_contrast = noise.contrast;
     m_brightness = noise.brightness;
-    m_noiseTexton = m_texton.value ? std::make_shared<const Texton>(
-                                         adjusted(m_texton.value->texton, m_contrast, m_brightness))
-                                   : nullptr;
+    m_noiseTexton = shown ? std::make_shared<const Texton>(
+                                adjusted(shown->texton, shown->maps, m_contrast, m_brightness))
+                          : nullptr;
     emit noiseTextonChanged();
+}
+
+void Pipeline::keepTexton() {
+    if (m_finishedTexton)
+        m_kept = m_finishedTexton;
+    showKept(false);
+}
+
+void Pipeline::showKept(bool kept) {
+    m_showKept = kept && m_kept;
+    updateNoiseTexton();
+    emit stateChanged();
+}
+
+std::shared_ptr<const TextonResult> Pipeline::shownTexton() const {
+    return isShowingKept() ? m_kept : m_texton.value;
 }
 
 bool Pipeline::isStale(Picture picture) const {

@@ -23,12 +23,22 @@ class Pipeline : public QObject {
     std::shared_ptr<const ExemplarResult> exemplar() const { return m_exemplar.value; }
     std::shared_ptr<const GaussianResult> gaussian() const { return m_gaussian.value; }
     std::shared_ptr<const TextonResult> texton() const { return m_texton.value; }
-    std::shared_ptr<const Suitability> verdict() const { return m_verdict.value; }
+
+    /// A finished texton can be kept as A, to be seen in place of the present one (B) and back.
+    void keepTexton();
+    std::shared_ptr<const TextonResult> keptTexton() const { return m_kept; }
+    void showKept(bool kept);
+    bool isShowingKept() const { return m_showKept && m_kept; }
+    /// texton(), or the kept one while that is shown.
+    std::shared_ptr<const TextonResult> shownTexton() const;
+
+    std::shared_ptr<const Suitability> verdict() const;
+    std::optional<SupportSuggestion> suggestedSupport() const;
     std::shared_ptr<const AnalysisResult> analysis() const { return m_analysis.value; }
     std::shared_ptr<const TriangleMesh> mesh() const { return m_mesh.value; }
 
-    /// texton() with the noise's contrast and brightness: what noise is made of, on screen and in
-    /// exports.
+    /// shownTexton() with the noise's contrast and brightness: what noise is made of, on screen and
+    /// in exports.
     std::shared_ptr<const Texton> noiseTexton() const { return m_noiseTexton; }
 
     /// Whether what is shown is not (yet) what the project asks for.
@@ -112,10 +122,12 @@ class Pipeline : public QObject {
     Stage<ExemplarKey, ExemplarResult> m_exemplar;
     Stage<GaussianKey, GaussianResult> m_gaussian;
     Stage<TextonKey, TextonResult> m_texton;
-    Stage<std::shared_ptr<const ExemplarResult>, Suitability> m_verdict;
+    Stage<std::shared_ptr<const ExemplarResult>, Judgement> m_verdict;
     Stage<AnalysisKey, AnalysisResult> m_analysis;
     Stage<QString, TriangleMesh> m_mesh;
     std::shared_ptr<const TextonResult> m_finishedTexton;
+    std::shared_ptr<const TextonResult> m_kept;
+    bool m_showKept = false;
     std::shared_ptr<const Texton> m_noiseTexton;
     std::shared_ptr<const TextonResult> m_noiseTextonOf;
     double m_contrast = 1.0;

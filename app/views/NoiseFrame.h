@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/display/PicturePyramid.h"
+#include "core/material/MaterialMap.h"
 #include "core/mesh/TriangleMesh.h"
 #include "core/texton/Texton.h"
 #include "gl/NoiseStyle.h"
@@ -9,12 +10,15 @@
 
 #include <QImage>
 #include <memory>
+#include <optional>
 
 namespace txn::app {
 
 /// What a view wants to see of the noise. A plain value.
 struct NoiseRequest {
     std::shared_ptr<const Texton> texton;
+    MaterialMaps maps;              ///< of a stack
+    std::optional<std::size_t> map; ///< that is shown; unset: the material under the style's light
     std::shared_ptr<const TriangleMesh> mesh; ///< for mesh views
     NoiseStyle style;
     View view = PlaneView{};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/NoisePainter.h"
 
+#include "core/material/NormalMap.h"
 #include "core/noise/NoiseGrid.h"
+#include "gl/MaterialTextons.h"
 
 #include <algorithm>
 #include <chrono>
@@ -79,19 +81,43 @@ double NoisePainter::scaleFor(const NoiseRequest& request, double milliseconds) 
     return cost <= milliseconds ? 1.0 : std::max(kCoarsest, std::sqrt(milliseconds / cost));
 }
 
+void NoisePainter::show(const NoiseRequest& request) {
+    m_texton = request.texton;
+    m_maps = request.maps;
+    m_map = request.map;
+    m_relief.reset();
+    if (m_maps.empty()) {
+        m_shownTexton = m_texton->channels() <= kColors
+                            ? m_texton
+                            : std::make_shared<const Texton>(firstChannels(*m_texton, kColors));
+    } else if (m_map || !m_context) {
+        // The processor does not shade: it shows the colors.
+        m_shownTexton =
+            std::make_shared<const Texton>(mapTexton(*m_texton, m_maps, m_map.value_or(0)));
+    } else {
+        auto material = materialTextons(*m_texton, m_maps);
+        m_shownTexton = std::move(material.base);
+        m_relief = std::move(material.relief);
+    }
+}
+
+/// Normals are drawn as slopes; a material's fourth channel is no transparency.
+Image NoisePainter::finished(Image drawn) const {
+    if (m_map && isNormal(m_maps[*m_map].kind))
+        return normalsOfSlopes(drawn, m_maps[*m_map].kind == MapKind::NormalYDown);
+    return drawn;
+}
+
 Result<std::optional<NoiseFrame>>
 NoisePainter::draw(const NoiseRequest& request, double scale, const std::function<bool()>& stop) {
     using Clock = std::chrono::steady_clock;
     // Uploading a texton or a mesh costs the same at any size, and must not count as cost per
     // pixel.
-    const bool warm = request.texton == m_texton &&
-                      (!std::holds_alternative<MeshView>(request.view) || request.mesh == m_mesh);
-    if (request.texton != m_texton) {
-        m_texton = request.texton;
-        m_shownTexton = m_texton->channels() <= kColors
-                            ? m_texton
-                            : std::make_shared<const Texton>(firstChannels(*m_texton, kColors));
-    }
+    const bool same = request.texton == m_texton && request.maps == m_maps && request.map == m_map;
+    const bool warm =
+        same && (!std::holds_alternative<MeshView>(request.view) || request.mesh == m_mesh);
+    if (!same)
+        show(request);
     const Size size = scaled(request.size, scale);
     const auto start = Clock::now();
     auto image = m_context ? drawOnCard(request, size, scale, stop)
@@ -139,6 +165,7 @@ Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& reques
         m_target = std::move(*target);
     }
     m_renderer.setTexton(m_shownTexton);
+    m_renderer.setRelief(m_relief);
     const View view = atScale(request.view, scale);
     if (std::holds_alternative<MeshView>(view) && request.mesh != m_mesh) {
         m_renderer.setMesh(request.mesh);
@@ -156,7 +183,8 @@ Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& reques
             return ok.error();
         m_context->finish();
     }
-    return std::optional<Image>(m_target.read(m_shownTexton->channels(), m_shownTexton->transfer));
+    const int channels = m_relief ? kColors : m_shownTexton->channels();
+    return std::optional<Image>(finished(m_target.read(channels, m_shownTexton->transfer)));
 }
 
 Result<std::optional<Image>> NoisePainter::drawOnProcessor(const NoiseRequest& request,
@@ -188,7 +216,7 @@ Result<std::optional<Image>> NoisePainter::drawOnProcessor(const NoiseRequest& r
                 std::ranges::copy(band->row(c, row), whole.row(c, y + row).begin());
         }
     }
-    return std::optional<Image>(std::move(whole));
+    return std::optional<Image>(finished(std::move(whole)));
 }
 
 } // namespace txn::app

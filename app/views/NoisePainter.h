@@ -30,6 +30,8 @@ class NoisePainter {
     draw(const NoiseRequest& request, double scale, const std::function<bool()>& stop);
 
   private:
+    void show(const NoiseRequest& request);
+    Image finished(Image drawn) const;
     Result<std::optional<Image>> drawOnCard(const NoiseRequest& request,
                                             Size size,
                                             double scale,
@@ -44,8 +46,11 @@ class NoisePainter {
     OffscreenTarget m_target;
     std::string m_rendererName;
     std::string m_problem;
-    std::shared_ptr<const Texton> m_texton;      ///< as requested
-    std::shared_ptr<const Texton> m_shownTexton; ///< its first channels
+    std::shared_ptr<const Texton> m_texton; ///< as requested
+    MaterialMaps m_maps;
+    std::optional<std::size_t> m_map;
+    std::shared_ptr<const Texton> m_shownTexton; ///< its first channels, a map's, or a material's
+    std::shared_ptr<const Texton> m_relief;      ///< of a shaded material
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::array<double, 3> m_cost{}; ///< nanoseconds per pixel by the kind of view; 0: not known yet
 };

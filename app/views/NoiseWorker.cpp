@@ -118,7 +118,8 @@ void NoiseWorker::rehearse(const NoiseRequest& request) {
         return Program{view.index(),
                        mesh != nullptr ? mesh->mapping : MeshView::Mapping::Surface,
                        request.style.noise.process,
-                       request.style.filter};
+                       request.style.filter,
+                       !request.maps.empty() && !request.map};
     };
     m_compiled.insert(program(request.view));
     MeshView byCoordinates;

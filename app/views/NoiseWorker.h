@@ -53,7 +53,7 @@ class NoiseWorker {
         bool rehearsal = false; ///< nobody waits for the picture
     };
     /// What shaders are compiled for.
-    using Program = std::tuple<std::size_t, MeshView::Mapping, NoiseProcess, Filter>;
+    using Program = std::tuple<std::size_t, MeshView::Mapping, NoiseProcess, Filter, bool>;
 
     void run();
     /// Waits for something to draw; nothing when the program ends.

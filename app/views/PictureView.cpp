@@ -22,13 +22,18 @@ namespace {
 
 constexpr int kWipeGrab = 6;
 constexpr double kOrbitPerPixel = 0.008;
+constexpr double kLightPerPixel = 0.006;
 constexpr double kWheelStep = 1.189207115002721; // 2^(1/4)
 constexpr double kHighestPitch = 1.55;
 
 /// Null where there is no such picture (yet), and for the noise.
-std::shared_ptr<const PicturePyramid> pyramidOf(const Pipeline& pipeline, Picture picture) {
-    const auto pictureOf = [](const auto& result) {
-        return result ? std::shared_ptr<const PicturePyramid>(result, &result->picture) : nullptr;
+std::shared_ptr<const PicturePyramid>
+pyramidOf(const Pipeline& pipeline, Picture picture, std::size_t map) {
+    const auto pictureOf = [map](const auto& result) {
+        return result ? std::shared_ptr<const PicturePyramid>(
+                            result,
+                            &result->pictures[std::min(map, result->pictures.size() - 1)])
+                      : nullptr;
     };
     switch (picture) {
     case Picture::Exemplar:
@@ -36,7 +41,7 @@ std::shared_ptr<const PicturePyramid> pyramidOf(const Pipeline& pipeline, Pictur
     case Picture::Gaussian:
         return pictureOf(pipeline.gaussian());
     case Picture::Texton:
-        return pictureOf(pipeline.texton());
+        return pictureOf(pipeline.shownTexton());
     case Picture::Noise:
         break;
     }
@@ -59,7 +64,9 @@ PictureView::PictureView(ProjectDocument& document,
     setAttribute(Qt::WA_OpaquePaintEvent);
     setWhatsThis(
         tr("A picture. The wheel zooms where the mouse is, the middle button or Space moves "
-           "it, F shows it whole. Hold ` to see the exemplar instead."));
+           "it, F shows it whole. Hold ` to see the exemplar instead. The right button moves the "
+           "light "
+           "of a material."));
     connectTitle();
     connect(m_feed, &NoiseFeed::frameReady, this, [this] {
         update();
@@ -122,6 +129,23 @@ void PictureView::setPanning(bool panning) {
         unsetCursor();
 }
 
+bool PictureView::showsMaterial() const {
+    const auto texton = m_pipeline.shownTexton();
+    return picture() == Picture::Noise && texton && !texton->maps.empty() && !shownMap();
+}
+
+std::optional<std::size_t> PictureView::shownMap() const {
+    const auto texton = m_pipeline.texton();
+    const auto exemplar = m_pipeline.exemplar();
+    const MaterialMaps& maps = exemplar ? exemplar->exemplar.maps
+                               : texton ? texton->maps
+                                        : MaterialMaps{};
+    const std::string name = m_document.project().noise.map.toStdString();
+    const auto it = std::ranges::find(maps, name, &MaterialMap::name);
+    return it == maps.end() ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(it - maps.begin()));
+}
+
 QRect PictureView::area() const {
     return rect().adjusted(0, ViewTitle::kHeight, 0, 0);
 }
@@ -133,8 +157,15 @@ QSize PictureView::screen() const {
 }
 
 Size PictureView::sizeOf(Picture picture) const {
-    const auto pyramid = pyramidOf(m_pipeline, picture);
+    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0));
     return pyramid ? pyramid->image().size() : Size{};
+}
+
+QString PictureView::whichTexton() const {
+    if (!m_pipeline.keptTexton())
+        return {};
+    return (m_pipeline.isShowingKept() ? tr("A (kept)") : tr("B (present)")) +
+           QStringLiteral("  \u00b7  ");
 }
 
 QString PictureView::info() const {
@@ -144,11 +175,15 @@ QString PictureView::info() const {
         const NoiseFrame& frame = m_feed->frame();
         if (frame.image.isNull() || !m_pipeline.noiseTexton())
             return {};
-        return tr("%1 fps").arg(
-            QLocale().toString(1000.0 / std::max(frame.milliseconds, 0.1), 'f', 0));
+        return whichTexton() +
+               tr("%1 fps").arg(
+                   QLocale().toString(1000.0 / std::max(frame.milliseconds, 0.1), 'f', 0));
     }
     const Size size = sizeOf(picture());
-    return size.width > 0 ? tr("%1 x %2 px").arg(size.width).arg(size.height) : QString();
+    if (size.width <= 0)
+        return {};
+    return (picture() == Picture::Texton ? whichTexton() : QString()) +
+           tr("%1 x %2 px").arg(size.width).arg(size.height);
 }
 
 Size PictureView::referenceSize() const {
@@ -164,7 +199,7 @@ void PictureView::refresh() {
     // What is drawn of a result must not keep all of it alive once it has been replaced.
     for (const Picture each : kPictures) {
         Drawn& drawn = m_drawn[static_cast<std::size_t>(each)];
-        if (drawn.pyramid && drawn.pyramid != pyramidOf(m_pipeline, each))
+        if (drawn.pyramid && drawn.pyramid != pyramidOf(m_pipeline, each, shownMap().value_or(0)))
             drawn = {};
     }
     m_title->showPictures(picture(), m_second);
@@ -182,6 +217,13 @@ void PictureView::requestNoise() {
         const Project& project = m_document.project();
         const ViewState& view = m_document.view();
         request.texton = m_pipeline.noiseTexton();
+        if (m_pipeline.shownTexton()) {
+            request.maps = m_pipeline.shownTexton()->maps;
+            request.map = shownMap();
+            if (request.map && *request.map >= request.maps.size())
+                request.map.reset();
+        }
+        request.style.light = project.noise.light;
         const bool onMesh =
             project.noise.scene == NoiseScene::Mesh || project.noise.scene == NoiseScene::Surface;
         if (onMesh)
@@ -226,7 +268,7 @@ QImage PictureView::drawn(Picture picture) {
     if (picture == Picture::Noise)
         return drawnNoise();
     const ViewState& view = m_document.view();
-    const auto pyramid = pyramidOf(m_pipeline, picture);
+    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0));
     if (!pyramid) {
         QImage nothing(screen(), QImage::Format_ARGB32_Premultiplied);
         nothing.fill(Qt::transparent);
@@ -329,6 +371,9 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
         m_drag = Drag::Pan;
     else if (left && orbits())
         m_drag = Drag::Orbit;
+    else if (event->button() == Qt::RightButton && showsMaterial())
+        m_drag = Drag::Light;
+    m_gesture = Gesture::next();
     if (m_drag == Drag::Pan)
         setCursor(Qt::ClosedHandCursor);
 }
@@ -345,6 +390,9 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
         break;
     case Drag::Wipe:
         moveBorder(event->position().x());
+        break;
+    case Drag::Light:
+        moveLight(distance);
         break;
     case Drag::None:
         setCursor(m_second && std::abs(event->position().x() - wipeX()) <= kWipeGrab
@@ -363,6 +411,21 @@ void PictureView::orbit(QPointF distance) {
         view.yaw = std::remainder(view.yaw - distance.x() * kOrbitPerPixel, 2.0 * M_PI);
         view.pitch = std::clamp(view.pitch + distance.y() * kOrbitPerPixel, lowest, kHighestPitch);
     });
+}
+
+void PictureView::moveLight(QPointF distance) {
+    m_document.change(
+        tr("Light"),
+        [&](Project& project) {
+            // As a ball under the mouse: right of the middle comes from the right.
+            Light& light = project.noise.light;
+            const glm::dvec3 from = light.direction();
+            const double x = from.x + distance.x() * kLightPerPixel;
+            const double y = from.y - distance.y() * kLightPerPixel;
+            light.azimuth = std::atan2(y, x);
+            light.elevation = std::acos(std::min(1.0, std::hypot(x, y)));
+        },
+        m_gesture);
 }
 
 void PictureView::moveBorder(double x) {
@@ -452,7 +515,7 @@ void PictureView::probe(QPointF position) {
         sampleX = static_cast<int>(point.x() * image->width() / screen().width());
         sampleY = static_cast<int>(point.y() * image->height() / screen().height());
     } else {
-        const auto pyramid = pyramidOf(m_pipeline, picture);
+        const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0));
         if (!pyramid)
             return;
         image = &pyramid->image();

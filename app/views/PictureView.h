@@ -75,7 +75,7 @@ class PictureView : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { None, Pan, Orbit, Wipe };
+    enum class Drag { None, Pan, Orbit, Wipe, Light };
 
     void connectTitle();
     void refresh();
@@ -93,6 +93,13 @@ class PictureView : public QWidget {
     double wipeX() const;
     void moveBorder(double x);
     void orbit(QPointF distance);
+    /// Whether a light shines on what is shown.
+    bool showsMaterial() const;
+    /// "A" or "B" where a texton has been kept to compare with.
+    QString whichTexton() const;
+    void moveLight(QPointF distance);
+    /// Of a stack: the one map that is shown; unset: the material, or a plain picture.
+    std::optional<std::size_t> shownMap() const;
     void zoomAtPoint(QPointF point, double factor);
 
     ProjectDocument& m_document;
@@ -106,6 +113,7 @@ class PictureView : public QWidget {
     bool m_panning = false;
     Drag m_drag = Drag::None;
     QPointF m_last;
+    Gesture m_gesture; ///< of the drag
 
     /// What was drawn last, since most repaints change nothing about it.
     struct Drawn {

@@ -72,6 +72,7 @@ bool takeAll(const QDir& folder) {
 
         studio.raise("jobsDock");
         studio.document().change(TextonPanel::tr("Iterations"), [](Project& p) {
+            p.texton.method = TextonMethod::Projections;
             p.texton.iterations = 20000;
             p.texton.support = {128, 128};
         });

@@ -92,6 +92,25 @@ class Studio {
         return settle();
     }
 
+    /// The same of a stack: color, normals and data.
+    bool openSmallStack() {
+        const auto part = [](const char* sample, const char* map, MapKind kind) {
+            return app::Source::Part{*app::sampleSource(QLatin1String(sample)),
+                                     QLatin1String(map),
+                                     kind};
+        };
+        static const auto source = app::stackSource({part("cloth", "normal", MapKind::Normal),
+                                                     part("rust", "color", MapKind::Color),
+                                                     part("sand", "extra", MapKind::Data)});
+        document().change(QStringLiteral("Open"), [](app::Project& project) {
+            project.source = *source;
+            project.edit.crop = Rect{0, 0, {96, 96}};
+            project.texton.support = {16, 16};
+        });
+        document().undoStack().setClean();
+        return settle();
+    }
+
     bool isSettled() {
         const auto& pipeline = m_studio->pipeline();
         if (!m_studio->runner().isIdle() || pipeline.isStale(app::Picture::Noise) ||

@@ -164,6 +164,7 @@ class TestAppStory : public QObject {
             Studio studio;
             QVERIFY(studio.openSample("rust"));
             studio.document().change("Iterations", [](Project& p) {
+                p.texton.method = TextonMethod::Projections;
                 p.texton.iterations = 100000;
                 p.texton.support = {256, 256};
             });

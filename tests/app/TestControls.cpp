@@ -281,7 +281,10 @@ class TestControls : public QObject {
         Studio studio;
         QVERIFY(studio.openSmall());
         const auto before = studio->pipeline().texton();
-        studio.document().change("Iterations", [](Project& p) { p.texton.iterations = 100000; });
+        studio.document().change("Iterations", [](Project& p) {
+            p.texton.method = TextonMethod::Projections;
+            p.texton.iterations = 100000;
+        });
         QTRY_VERIFY(studio->pipeline().texton() != before);
         QTRY_VERIFY(studio.find<QTreeWidget>("jobsList")->findChild<QAbstractButton*>("jobStop"));
         studio.find<QTreeWidget>("jobsList")->findChild<QAbstractButton*>("jobStop")->click();

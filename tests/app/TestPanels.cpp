@@ -54,7 +54,11 @@ const std::array kControls{"exemplarAngle",    "exemplarSpace",  "exemplarEven",
                            "textonIterations", "textonMomentum", "textonSeed",   "textonColors",
                            "noiseImpacts",     "noiseProcess",   "noiseSeed",    "noiseScene",
                            "noiseLighting",    "noiseFilter",    "noiseScale",   "noiseContrast",
-                           "noiseBrightness"};
+                           "noiseBrightness",  "textonMethod",   "textonKernels"};
+
+/// Those of stacks.
+const std::array kStackControls{
+    "exemplarFlipGreen", "noiseMap", "noiseLightAngle", "noiseLightHeight"};
 
 } // namespace
 
@@ -75,11 +79,22 @@ class TestPanels : public QObject {
         QTest::addColumn<QString>("name");
         for (const char* name : kControls)
             QTest::newRow(name) << name;
+        for (const char* name : kStackControls)
+            QTest::newRow(name) << name;
     }
     void everyControlIsOneUndoableStep() {
         QFETCH(QString, name);
         Studio studio;
-        openSmall(studio);
+        if (std::ranges::find(kStackControls, name.toStdString()) != kStackControls.end())
+            QVERIFY(studio.openSmallStack());
+        else
+            openSmall(studio);
+        if (name == "textonIterations" || name == "textonMomentum") {
+            studio.document().change("Method", [](Project& p) {
+                p.texton.method = TextonMethod::Projections;
+            });
+            QVERIFY(studio.settle());
+        }
         auto* control = studio.window().findChild<QWidget*>(name);
         QVERIFY(control != nullptr && control->isVisible());
         const Project before = studio.project();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pipeline/Pipeline.h"
-#include "core/texton/ColorCorrection.h"
-#include "core/texton/TextonSolver.h"
 #include "tests/helpers/Verify.h"
 
 #include <QSignalSpy>
@@ -28,6 +26,7 @@ struct Studio {
             project.source = source;
             project.edit.crop = Rect{0, 0, {128, 96}};
             project.texton.support = {16, 16};
+            project.texton.method = TextonMethod::Projections;
             project.texton.iterations = 20;
         });
     }
@@ -56,23 +55,54 @@ class TestPipeline : public QObject {
         QTRY_VERIFY(studio.isDone());
         const auto exemplar = studio.pipeline.exemplar();
         QCOMPARE(exemplar->exemplar.image.size(), (Size{128, 96}));
-        QCOMPARE(studio.pipeline.gaussian()->picture.image().size(), (Size{128, 96}));
+        QCOMPARE(studio.pipeline.gaussian()->image.size(), (Size{128, 96}));
         QTRY_VERIFY(studio.pipeline.verdict() != nullptr);
 
         // The texton is the one of the core, by the same settings.
-        auto solver =
-            TextonSolver::create(exemplar->model, textonParams(studio.document.project().texton));
-        TXN_OK(solver);
-        while (!solver->done())
-            solver->step();
-        const Texton expected = colorCorrected(solver->texton(), exemplar->model.covariance());
+        const auto expected = computeTexton(exemplar->exemplar,
+                                            exemplar->model,
+                                            computeParams(studio.document.project().texton));
+        TXN_OK(expected);
         const auto texton = studio.pipeline.texton();
-        QVERIFY(texton->texton == expected);
+        QVERIFY(texton->texton == expected->texton);
         QCOMPARE(texton->iteration, 20);
         QCOMPARE(texton->curve.back().iteration, 20);
-        TXN_AT_MOST(std::abs(texton->relativeModelError - solver->relativeModelError(expected)),
-                    1e-12);
-        QVERIFY(*studio.pipeline.noiseTexton() == expected);
+        QCOMPARE(*texton->relativeModelError, *expected->relativeModelError);
+        QVERIFY(texton->dial && texton->dial->floor > 0.0);
+        QVERIFY(*studio.pipeline.noiseTexton() == expected->texton);
+    }
+
+    void theFitIsTheDefault() {
+        Studio studio;
+        studio.open(m_rust);
+        QVERIFY(TextonSettings{}.method == TextonMethod::Fit);
+        studio.document.change("Fit", [](Project& p) { p.texton.method = TextonMethod::Fit; });
+        QTRY_VERIFY(studio.isDone());
+        const auto texton = studio.pipeline.texton();
+        QCOMPARE(texton->trialErrors.size(), std::size_t{2});
+        QVERIFY(texton->texton.kernelCount() <= 2 && !texton->relativeModelError);
+        studio.document.change("Kernels", [](Project& p) { p.texton.kernels = 3; });
+        QTRY_COMPARE(studio.pipeline.texton()->texton.kernelCount(), 3);
+        QTRY_VERIFY(studio.pipeline.suggestedSupport().has_value());
+    }
+
+    void twoTextonsAreComparedByTurns() {
+        Studio studio;
+        studio.open(m_rust);
+        QTRY_VERIFY(studio.isDone());
+        const auto first = studio.pipeline.texton();
+        studio.pipeline.showKept(true); // nothing is kept yet
+        QVERIFY(!studio.pipeline.isShowingKept());
+        studio.pipeline.keepTexton();
+        studio.document.change("Seed", [](Project& p) { p.texton.seed = Seed{77}; });
+        QTRY_VERIFY(studio.isDone());
+        const auto second = studio.pipeline.texton();
+        QVERIFY(*studio.pipeline.noiseTexton() == second->texton);
+        studio.pipeline.showKept(true);
+        QCOMPARE(studio.pipeline.shownTexton(), first);
+        QVERIFY(*studio.pipeline.noiseTexton() == first->texton);
+        studio.pipeline.showKept(false);
+        QVERIFY(*studio.pipeline.noiseTexton() == second->texton);
     }
 
     void onlyWhatIsStaleIsComputed() {
@@ -100,7 +130,7 @@ class TestPipeline : public QObject {
 
         studio.document.change("Crop", [](Project& p) { p.edit.crop = Rect{10, 10, {64, 64}}; });
         QTRY_VERIFY(studio.isDone() && studio.pipeline.exemplar() != exemplar);
-        QCOMPARE(studio.pipeline.gaussian()->picture.image().size(), (Size{64, 64}));
+        QCOMPARE(studio.pipeline.gaussian()->image.size(), (Size{64, 64}));
     }
 
     void theLastValueOfADragWins() {

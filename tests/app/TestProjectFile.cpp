@@ -39,11 +39,14 @@ void roll(Project& p, ViewState& v, Dice& dice) {
         p.edit.flattenRadiusPx = dice.number(1.0, 500.0);
     p.edit.linear = dice.pick(0, 1) == 1;
     p.edit.periodic = dice.pick(0, 1) == 1;
+    p.edit.flipGreen = dice.pick(0, 1) == 1;
     p.gaussian = {static_cast<GaussianMethod>(dice.pick(0, 1)),
                   Seed{static_cast<std::uint32_t>(dice.pick(0, 1 << 30)) * 3U}};
     p.texton.shape = static_cast<TextonSettings::Shape>(dice.pick(0, 2));
     p.texton.support = {dice.pick(4, 200), dice.pick(4, 200)};
     p.texton.interpolationOrder = std::array{0, 1, 3, 5}[static_cast<std::size_t>(dice.pick(0, 3))];
+    p.texton.method = static_cast<TextonMethod>(dice.pick(0, 1));
+    p.texton.kernels = dice.pick(0, 16);
     p.texton.iterations = dice.pick(1, 1000);
     p.texton.momentum = dice.number(0.0, 0.99);
     p.texton.seed = Seed{static_cast<std::uint32_t>(dice.pick(0, 1 << 30))};
@@ -58,6 +61,8 @@ void roll(Project& p, ViewState& v, Dice& dice) {
     p.noise.brightness = dice.number(-1.0, 1.0);
     p.noise.scene = static_cast<NoiseScene>(dice.pick(0, 3));
     p.noise.mesh = QStringLiteral("torus");
+    p.noise.map = dice.pick(0, 1) == 1 ? QStringLiteral("height") : QString();
+    p.noise.light = {dice.number(-3.0, 3.0), dice.number(0.0, 1.5)};
     p.noise.lighting = dice.pick(0, 1) == 1;
     v.layout = static_cast<ViewLayout>(dice.pick(0, 3));
     std::swap(v.shown[static_cast<std::size_t>(dice.pick(0, 3))], v.shown[0]);
