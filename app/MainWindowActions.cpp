@@ -344,16 +344,36 @@ void MainWindow::createTextonActions() {
            [this] { m_pipeline.keepTexton(); });
     QAction* kept =
         action(QStringLiteral("texton.showKept"),
-               tr("Show the kept one (A/&B)"),
+               tr("Show the kept one (&A/B)"),
                tr("Look at the kept texton and its noise, and back at the present one."),
                QStringLiteral("B"),
                [this] { m_pipeline.showKept(!m_pipeline.isShowingKept()); });
     kept->setCheckable(true);
-    const auto showKept = [this, kept] {
+    QAction* beside = action(
+        QStringLiteral("texton.keptBeside"),
+        tr("Kept and present side &by side"),
+        tr("The noise of the kept texton on the left, that of the present one on the right."),
+        QStringLiteral("Shift+K"),
+        [this] {
+            m_pipeline.showKept(false);
+            m_document.changeView([](ViewState& view) {
+                view.keptBeside = !view.keptBeside;
+                if (!view.keptBeside)
+                    return;
+                view.layout = ViewLayout::SideBySide;
+                view.shown[0] = Picture::Noise;
+                view.shown[1] = Picture::Noise;
+            });
+        });
+    beside->setCheckable(true);
+    const auto showKept = [this, kept, beside] {
         kept->setEnabled(m_pipeline.keptTexton() != nullptr);
         kept->setChecked(m_pipeline.isShowingKept());
+        beside->setEnabled(m_pipeline.keptTexton() != nullptr);
+        beside->setChecked(m_document.view().keptBeside);
     };
     connect(&m_pipeline, &Pipeline::stateChanged, kept, showKept);
+    connect(&m_document, &ProjectDocument::viewChanged, kept, showKept);
     showKept();
     const auto method = [this](const char* id,
                                const QString& text,

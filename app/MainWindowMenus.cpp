@@ -107,6 +107,7 @@ void MainWindow::createMenus() {
           "",
           "texton.keep",
           "texton.showKept",
+          "texton.keptBeside",
           "",
           "texton.adsn",
           "texton.rpn"});

@@ -1681,12 +1681,20 @@
         <translation>Garde le texton actuel comme A. Changez quelque chose, puis regardez les deux tour à tour.</translation>
     </message>
     <message>
-        <source>Show the kept one (A/&amp;B)</source>
-        <translation>Voir le texton gardé (A/&amp;B)</translation>
-    </message>
-    <message>
         <source>Look at the kept texton and its noise, and back at the present one.</source>
         <translation>Montre le texton gardé et son bruit, puis de nouveau l&apos;actuel.</translation>
+    </message>
+    <message>
+        <source>Show the kept one (&amp;A/B)</source>
+        <translation>Voir le texton gardé (&amp;A/B)</translation>
+    </message>
+    <message>
+        <source>Kept and present side &amp;by side</source>
+        <translation>Gardé et actuel &amp;côte à côte</translation>
+    </message>
+    <message>
+        <source>The noise of the kept texton on the left, that of the present one on the right.</source>
+        <translation>Le bruit du texton gardé à gauche, celui de l&apos;actuel à droite.</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,7 @@ struct ViewState {
     double exposure = 0.0;      ///< in stops
     std::optional<int> channel; ///< unset: all
     bool tiled = false;         ///< the exemplar is repeated
+    bool keptBeside = false;    ///< the first view shows the kept texton and its noise
 
     double yaw = 0.5; ///< of perspective and meshes; see OrbitCamera
     double pitch = 0.45;

@@ -301,15 +301,28 @@ void Pipeline::updateNoiseTexton() {
     m_noiseTextonOf = shown;
     m_contrast = noise.contrast;
     m_brightness = noise.brightness;
-    m_noiseTexton = shown ? std::make_shared<const Texton>(
-                                adjusted(shown->texton, shown->maps, m_contrast, m_brightness))
-                          : nullptr;
+    m_noiseTexton = noiseOf(shown);
+    updateKept();
     emit noiseTextonChanged();
+}
+
+std::shared_ptr<const Texton>
+Pipeline::noiseOf(const std::shared_ptr<const TextonResult>& result) const {
+    if (!result)
+        return nullptr;
+    const NoiseSettings& noise = m_document.project().noise;
+    return std::make_shared<const Texton>(
+        adjusted(result->texton, result->maps, noise.contrast, noise.brightness));
+}
+
+void Pipeline::updateKept() {
+    m_keptNoiseTexton = noiseOf(m_kept);
 }
 
 void Pipeline::keepTexton() {
     if (m_finishedTexton)
         m_kept = m_finishedTexton;
+    updateKept();
     showKept(false);
 }
 

@@ -29,6 +29,8 @@ class Pipeline : public QObject {
     std::shared_ptr<const TextonResult> keptTexton() const { return m_kept; }
     void showKept(bool kept);
     bool isShowingKept() const { return m_showKept && m_kept; }
+    /// The kept one with the noise's contrast and brightness.
+    std::shared_ptr<const Texton> keptNoiseTexton() const { return m_keptNoiseTexton; }
     /// texton(), or the kept one while that is shown.
     std::shared_ptr<const TextonResult> shownTexton() const;
 
@@ -73,6 +75,8 @@ class Pipeline : public QObject {
     void updateAnalysis();
     void updateMesh();
     void updateNoiseTexton();
+    void updateKept();
+    std::shared_ptr<const Texton> noiseOf(const std::shared_ptr<const TextonResult>& result) const;
     void fail(const Error& error);
     template <class Key, class Value>
     void retry(JobKind kind, Stage<Key, Value>& stage) {
@@ -127,6 +131,7 @@ class Pipeline : public QObject {
     Stage<QString, TriangleMesh> m_mesh;
     std::shared_ptr<const TextonResult> m_finishedTexton;
     std::shared_ptr<const TextonResult> m_kept;
+    std::shared_ptr<const Texton> m_keptNoiseTexton;
     bool m_showKept = false;
     std::shared_ptr<const Texton> m_noiseTexton;
     std::shared_ptr<const TextonResult> m_noiseTextonOf;

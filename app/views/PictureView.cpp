@@ -28,7 +28,7 @@ constexpr double kHighestPitch = 1.55;
 
 /// Null where there is no such picture (yet), and for the noise.
 std::shared_ptr<const PicturePyramid>
-pyramidOf(const Pipeline& pipeline, Picture picture, std::size_t map) {
+pyramidOf(const Pipeline& pipeline, Picture picture, std::size_t map, bool kept) {
     const auto pictureOf = [map](const auto& result) {
         return result ? std::shared_ptr<const PicturePyramid>(
                             result,
@@ -41,7 +41,7 @@ pyramidOf(const Pipeline& pipeline, Picture picture, std::size_t map) {
     case Picture::Gaussian:
         return pictureOf(pipeline.gaussian());
     case Picture::Texton:
-        return pictureOf(pipeline.shownTexton());
+        return pictureOf(kept ? pipeline.keptTexton() : pipeline.shownTexton());
     case Picture::Noise:
         break;
     }
@@ -129,8 +129,20 @@ void PictureView::setPanning(bool panning) {
         unsetCursor();
 }
 
+bool PictureView::showsKept() const {
+    return m_pipeline.keptTexton() && m_place == 0 && m_document.view().keptBeside;
+}
+
+std::shared_ptr<const TextonResult> PictureView::texton() const {
+    return showsKept() ? m_pipeline.keptTexton() : m_pipeline.shownTexton();
+}
+
+std::shared_ptr<const Texton> PictureView::noiseTexton() const {
+    return showsKept() ? m_pipeline.keptNoiseTexton() : m_pipeline.noiseTexton();
+}
+
 bool PictureView::showsMaterial() const {
-    const auto texton = m_pipeline.shownTexton();
+    const auto texton = this->texton();
     return picture() == Picture::Noise && texton && !texton->maps.empty() && !shownMap();
 }
 
@@ -157,14 +169,14 @@ QSize PictureView::screen() const {
 }
 
 Size PictureView::sizeOf(Picture picture) const {
-    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0));
+    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0), showsKept());
     return pyramid ? pyramid->image().size() : Size{};
 }
 
 QString PictureView::whichTexton() const {
     if (!m_pipeline.keptTexton())
         return {};
-    return (m_pipeline.isShowingKept() ? tr("A (kept)") : tr("B (present)")) +
+    return (m_pipeline.isShowingKept() || showsKept() ? tr("A (kept)") : tr("B (present)")) +
            QStringLiteral("  \u00b7  ");
 }
 
@@ -173,7 +185,7 @@ QString PictureView::info() const {
         return {};
     if (picture() == Picture::Noise) {
         const NoiseFrame& frame = m_feed->frame();
-        if (frame.image.isNull() || !m_pipeline.noiseTexton())
+        if (frame.image.isNull() || !noiseTexton())
             return {};
         return whichTexton() +
                tr("%1 fps").arg(
@@ -199,7 +211,8 @@ void PictureView::refresh() {
     // What is drawn of a result must not keep all of it alive once it has been replaced.
     for (const Picture each : kPictures) {
         Drawn& drawn = m_drawn[static_cast<std::size_t>(each)];
-        if (drawn.pyramid && drawn.pyramid != pyramidOf(m_pipeline, each, shownMap().value_or(0)))
+        if (drawn.pyramid &&
+            drawn.pyramid != pyramidOf(m_pipeline, each, shownMap().value_or(0), showsKept()))
             drawn = {};
     }
     m_title->showPictures(picture(), m_second);
@@ -216,9 +229,9 @@ void PictureView::requestNoise() {
     if (shows(Picture::Noise) && isVisible()) {
         const Project& project = m_document.project();
         const ViewState& view = m_document.view();
-        request.texton = m_pipeline.noiseTexton();
-        if (m_pipeline.shownTexton()) {
-            request.maps = m_pipeline.shownTexton()->maps;
+        request.texton = noiseTexton();
+        if (const auto of = texton()) {
+            request.maps = of->maps;
             request.map = shownMap();
             if (request.map && *request.map >= request.maps.size())
                 request.map.reset();
@@ -245,7 +258,7 @@ QImage PictureView::drawnNoise() const {
     const NoiseFrame& frame = m_feed->frame();
     QImage result(screen(), QImage::Format_ARGB32_Premultiplied);
     result.fill(Qt::transparent);
-    if (frame.image.isNull() || !m_pipeline.noiseTexton())
+    if (frame.image.isNull() || !noiseTexton())
         return result;
     QPainter painter(&result);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -268,7 +281,7 @@ QImage PictureView::drawn(Picture picture) {
     if (picture == Picture::Noise)
         return drawnNoise();
     const ViewState& view = m_document.view();
-    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0));
+    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0), showsKept());
     if (!pyramid) {
         QImage nothing(screen(), QImage::Format_ARGB32_Premultiplied);
         nothing.fill(Qt::transparent);
@@ -515,7 +528,7 @@ void PictureView::probe(QPointF position) {
         sampleX = static_cast<int>(point.x() * image->width() / screen().width());
         sampleY = static_cast<int>(point.y() * image->height() / screen().height());
     } else {
-        const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0));
+        const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0), showsKept());
         if (!pyramid)
             return;
         image = &pyramid->image();

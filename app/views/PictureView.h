@@ -16,6 +16,7 @@ namespace txn::app {
 class Pipeline;
 class Settings;
 class ViewTitle;
+struct TextonResult;
 
 /// One place of the view area: shows one of the four pictures, or two with a border between them,
 /// through the document's one camera. Draws nothing but its own pixels; noise comes from a
@@ -93,6 +94,10 @@ class PictureView : public QWidget {
     double wipeX() const;
     void moveBorder(double x);
     void orbit(QPointF distance);
+    /// Whether this view is the one for the kept texton, beside that of the present one.
+    bool showsKept() const;
+    std::shared_ptr<const TextonResult> texton() const;
+    std::shared_ptr<const Texton> noiseTexton() const;
     /// Whether a light shines on what is shown.
     bool showsMaterial() const;
     /// "A" or "B" where a texton has been kept to compare with.

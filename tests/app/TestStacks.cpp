@@ -205,6 +205,27 @@ class TestStacks : public QObject {
         TXN_FAILS_WITH(runExport(plan, snapshot, context), ErrorCode::Unsupported);
     }
 
+    void twoTextonsStandSideBySide() {
+        Studio studio;
+        QVERIFY(studio.openSmall());
+        const auto first = studio->pipeline().texton();
+        studio.trigger("texton.keep");
+        studio.document().change("Seed", [](Project& p) { p.texton.seed = Seed{9}; });
+        QVERIFY(studio.settle());
+        studio.trigger("texton.keptBeside");
+        QVERIFY(studio.settle());
+        const auto views = studio.window().views().views();
+        QVERIFY(views[0]->isVisible() && views[1]->isVisible());
+        QVERIFY(*views[0]->noiseFrame().request.texton == first->texton);
+        QVERIFY(*views[1]->noiseFrame().request.texton == studio->pipeline().texton()->texton);
+        studio.trigger("texton.keptBeside");
+        QVERIFY(studio.settle());
+        QVERIFY(*views[0]->noiseFrame().request.texton == studio->pipeline().texton()->texton);
+        studio.trigger("texton.showKept");
+        QVERIFY(studio.settle());
+        QVERIFY(*views[0]->noiseFrame().request.texton == first->texton);
+    }
+
     void croppingAndTurningWorkOnAllMaps() {
         Studio studio;
         QVERIFY(studio.openSmallStack());
