@@ -7,6 +7,7 @@
 #include "core/base/OutputFiles.h"
 #include "core/export/Exporter.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,22 @@ struct Options {
     std::vector<std::filesystem::path> outputs;
     bool json = false;
 };
+
+/// A .texton holds one kernel: then no other number is tried, and none is computed for nothing.
+Result<SolveOptions> fitFor(const std::vector<std::filesystem::path>& outputs,
+                            SolveOptions options) {
+    const auto oneKernel = std::ranges::find(outputs, ".texton", [](const auto& path) {
+        return path.extension().string();
+    });
+    if (oneKernel == outputs.end() || options.kernels == "1")
+        return options;
+    if (options.kernels != "auto" && options.method == "fit")
+        return Error{ErrorCode::Unsupported,
+                     "cannot write " + quoted(*oneKernel) +
+                         ": a .texton file holds one kernel; use EXR or --kernels 1"};
+    options.kernels = "1";
+    return options;
+}
 
 Result<void> run(const Options& options, const CancelToken& cancel) {
     for (const auto& output : options.outputs) {
@@ -41,7 +58,10 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return ok.error();
     const double load = watch.lap();
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
-    auto solved = solve(*exemplar, model, options.solve, cancel);
+    const auto how = fitFor(options.outputs, options.solve);
+    if (!how)
+        return how.error();
+    auto solved = solve(*exemplar, model, *how, cancel);
     if (!solved)
         return Error{solved.error().code,
                      quoted(mainFile(options.exemplar)) + ": " + solved.error().message};
@@ -124,9 +144,10 @@ void addCompute(CLI::App& app, Session& session) {
     auto options = std::make_shared<Options>();
     addMaterialOptions(*command, options->exemplar);
     command
-        ->add_option("-o,--output",
-                     options->outputs,
-                     "Where to write: .exr, .png or .texton; may be given several times")
+        ->add_option(
+            "-o,--output",
+            options->outputs,
+            "Where to write: .exr, .png or .texton (one kernel); may be given several times")
         ->required()
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

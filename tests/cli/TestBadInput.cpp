@@ -429,6 +429,7 @@ void TestBadInput::valuesOutOfRange_data() {
         {"compute -o old.texton --support 8 --stack color=good.png --stack normal=good.png",
          1,
          "old.texton"},
+        {"compute good.png -o old.texton --support 8 --kernels 2", 1, "old.texton"},
         {"render t.exr -o old.png --map color", 1, "--map"},
         {"render t.exr -o old.png --light 0,99", 2, "--light"},
         {"compute good.png -o old.exr --support 8 --seed 4294967296", 2, "--seed"},

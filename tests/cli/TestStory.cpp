@@ -166,6 +166,8 @@ void TestStory::fitsWithSeveralKernels() {
     const double fitted = json(stone + "fit --kernels 2")["covariance_error"].toDouble(1e9);
     const double papers = json(stone + "projections")["covariance_error"].toDouble(0.0);
     QVERIFY2(fitted < papers, QByteArray::number(fitted) + " and " + QByteArray::number(papers));
+    // Where a file holds one kernel only, no more are tried.
+    QCOMPARE(json(stone + "fit -o one.texton")["kernels"].toInt(), 1);
     // Both kernels are in the files, and in the noise.
     const Image fromExr = noise("fit.exr", "--size 128x96 --seed 5");
     QVERIFY(imageDistance(fromExr, noise("fit.png", "--size 128x96 --seed 5")) <= 4e-3);
