@@ -54,6 +54,14 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     if (!exemplar)
         return exemplar.error();
     // What files a stack becomes is known only now.
+    for (const auto& output : options.outputs) {
+        for (const auto& file : textonFiles(output, exemplar->maps)) {
+            for (const auto& input : inputFiles(options.exemplar)) {
+                if (const auto ok = checkNotInput(input, file); !ok)
+                    return ok.error();
+            }
+        }
+    }
     if (const auto ok = checkTextonOutputs(options.outputs, exemplar->maps); !ok)
         return ok.error();
     const double load = watch.lap();

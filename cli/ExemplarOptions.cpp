@@ -38,32 +38,28 @@ std::optional<StackEntry> parseStackEntry(const std::string& text) {
     return entry;
 }
 
-/// The picture of the options, or the stack, before any preparation.
+/// The picture of the options, or the stack, before any preparation and checks.
 Result<Exemplar> loadWhole(const ExemplarOptions& options) {
     if (options.stack.empty()) {
         auto loaded = loadImage(options.path);
         if (!loaded)
             return loaded.error();
-        return makeExemplar(std::move(loaded->image), options.path.filename().string());
+        return Exemplar{std::move(loaded->image), options.path.filename().string()};
     }
     std::vector<MapPicture> pictures;
     for (const StackEntry& entry : options.stack) {
         auto loaded = loadImage(entry.path);
         if (!loaded)
             return loaded.error();
-        // Bad samples are told by their file's name, before they are mixed.
-        auto checked = makeExemplar(std::move(loaded->image), entry.path.filename().string());
-        if (!checked)
-            return checked.error();
         pictures.push_back(
-            {entry.name, entry.kind, std::move(checked->image), entry.path.filename().string()});
+            {entry.name, entry.kind, std::move(loaded->image), entry.path.filename().string()});
     }
     auto stack = stackMaps(std::move(pictures));
     if (!stack)
         return stack.error();
-    return makeExemplar(std::move(stack->image),
-                        mainFile(options).filename().string(),
-                        std::move(stack->maps));
+    return Exemplar{std::move(stack->image),
+                    mainFile(options).filename().string(),
+                    std::move(stack->maps)};
 }
 
 } // namespace
@@ -132,6 +128,10 @@ Result<Exemplar> loadExemplar(const ExemplarOptions& options) {
             return named(part.error());
         exemplar->image = std::move(*part);
     }
+    // After the crop, which may take bad samples away, and before they can spread by filtering.
+    exemplar = makeExemplar(std::move(exemplar->image), exemplar->name, exemplar->maps);
+    if (!exemplar)
+        return exemplar.error();
     if (options.rotate != 0.0) {
         auto upright = turned(std::move(*exemplar), options.rotate);
         if (!upright)

@@ -44,8 +44,10 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
         return asset.error();
     const BakeTarget target{options.output, options.save, asset->maps};
     for (const auto& file : bakeFiles(target)) {
-        if (const auto ok = checkPictureOutput(options.texton, file); !ok)
-            return ok.error();
+        for (const auto& input : textonFiles(options.texton, asset->maps)) {
+            if (const auto ok = checkPictureOutput(input, file); !ok)
+                return ok.error();
+        }
     }
     NoiseParams params =
         options.noise.params({asset->process, asset->meanImpacts, asset->seed, std::nullopt});

@@ -165,7 +165,8 @@ struct Drawn {
     int channels = 3;
     /// Of the picture, before it is written: normals are drawn as slopes.
     std::function<Image(const Image&)> finish = [](const Image& picture) { return picture; };
-    std::string name; ///< of the map, or "material"; empty for plain textons
+    std::string name;    ///< of the map, or "material"; empty for plain textons
+    bool isData = false; ///< then no light falls on it, and nothing around it is a colour
 };
 
 Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
@@ -205,6 +206,7 @@ Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
     drawn.texton = std::make_shared<Texton>(mapTexton(texton, asset.maps, index));
     drawn.channels = drawn.texton->channels();
     drawn.name = name;
+    drawn.isData = known->kind != MapKind::Color;
     if (isNormal(known->kind))
         drawn.finish = [yDown = known->kind == MapKind::NormalYDown](const Image& picture) {
             return normalsOfSlopes(picture, yDown);
@@ -241,6 +243,10 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const auto asset = loadTexton(options.texton);
     if (!asset)
         return asset.error();
+    for (const auto& input : textonFiles(options.texton, asset->maps)) {
+        if (const auto ok = checkNotInput(input, options.output); !ok)
+            return ok.error();
+    }
     const auto context = HeadlessContext::create();
     if (!context)
         return context.error();
@@ -265,9 +271,11 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     NoiseRenderer renderer;
     renderer.setTexton(drawn->texton);
     renderer.setRelief(drawn->relief);
-    const auto view = makeView(options, renderer);
+    auto view = makeView(options, renderer);
     if (!view)
         return view.error();
+    if (drawn->isData)
+        showAsData(*view);
     const auto target = OffscreenTarget::create(context->gl(), options.size);
     if (!target)
         return target.error();

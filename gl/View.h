@@ -61,4 +61,14 @@ struct MeshView {
 
 using View = std::variant<PlaneView, GroundView, MeshView>;
 
+/// For noise that is data and not colour: no light, and zero (flat, for slopes) around it.
+inline void showAsData(View& view) {
+    if (auto* ground = std::get_if<GroundView>(&view))
+        ground->background = glm::vec3(0.0F);
+    if (auto* mesh = std::get_if<MeshView>(&view)) {
+        mesh->background = glm::vec3(0.0F);
+        mesh->lighting = false;
+    }
+}
+
 } // namespace txn

@@ -204,6 +204,8 @@ readSource(const CborReader& reader, const QString& folder, QStringList& warning
     const QCborArray maps = reader.array("maps");
     if (maps.isEmpty())
         return readFile(reader, folder, warnings);
+    if (maps.size() > kMaxExemplarChannels)
+        return Error{ErrorCode::Unreadable, "damaged: there are too many maps"};
     std::vector<Source::Part> parts;
     for (const auto& value : maps) {
         CborReader map(value.toMap());

@@ -119,7 +119,8 @@ bool readSettings(CborReader reader, TextonSettings& texton) {
     texton.shape = static_cast<TextonSettings::Shape>(
         reader.integer("shape", 0, 2, static_cast<int>(texton.shape)));
     texton.interpolationOrder = order(reader, texton.interpolationOrder);
-    texton.method = choice(reader, "method", TextonMethod::Projections, texton.method);
+    // Projects without it are older than the fit.
+    texton.method = choice(reader, "method", TextonMethod::Projections, TextonMethod::Projections);
     texton.kernels = static_cast<int>(
         reader.integer("kernels", 0, TextonSettings::kMostKernels, texton.kernels));
     texton.iterations =
@@ -229,10 +230,10 @@ Result<TextonAsset> readTextonAsset(CborReader reader) {
             {map.text("name").toStdString(),
              static_cast<MapKind>(map.integer("kind", 0, static_cast<qint64>(MapKind::Data), 0)),
              static_cast<int>(map.integer("channels", 1, kMaxExemplarChannels, 1))});
-        if (!map.isGood() || !isMapName(asset.maps.back().name))
+        if (!map.isGood())
             return damaged;
     }
-    if (!reader.isGood() || (!asset.maps.empty() && channelCount(asset.maps) != texton.channels()))
+    if (!reader.isGood() || (!asset.maps.empty() && !areMapsOf(asset.maps, texton.channels())))
         return damaged;
     return asset;
 }

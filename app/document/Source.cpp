@@ -2,7 +2,6 @@
 #include "app/document/Source.h"
 
 #include "core/export/Exporter.h"
-#include "core/gaussian/Exemplar.h"
 #include "core/material/MapStack.h"
 #include "core/samples/Samples.h"
 
@@ -199,17 +198,15 @@ Result<std::shared_ptr<const Source>> stackSource(const std::vector<Source::Part
         const auto picture = part.source->picture();
         if (!picture)
             return picture.error();
-        // Bad samples are told by their file's name, before they are mixed.
-        auto checked = makeExemplar((*picture)->image, part.source->name().toStdString());
-        if (!checked)
-            return checked.error();
-        images.push_back(std::move(checked->image));
+        images.push_back((*picture)->image);
         files.push_back(part.source->files().front());
         files.back().map = part.map;
         files.back().kind = part.kind;
         if (files.size() == 1)
             whole = **picture;
+        Source::letGo(part.source); // one copy of everything is enough
     }
+    whole.image = {};
     auto stack = stackOf(files, std::move(images));
     if (!stack)
         return stack.error();

@@ -2,7 +2,9 @@
 #include "app/files/Autosave.h"
 
 #include "app/display/PicturePyramid.h"
+#include "app/jobs/Results.h"
 #include "core/image/ImageGeometry.h"
+#include "core/material/MapStack.h"
 #include "core/sheet/ContactSheet.h"
 
 #include <QBuffer>
@@ -26,13 +28,18 @@ constexpr int kThumbnailPx = 192;
 /// What the artist would see again: the part of the photo that was used, or the texton.
 QImage preview(const Project& project) {
     if (project.importedTexton)
-        return toQImage(textonPicture(project.importedTexton->texton, {0, 0}));
+        return toQImage(mapPictures(textonPicture(project.importedTexton->texton, {0, 0}),
+                                    project.importedTexton->maps)
+                            .front()
+                            .image());
     const auto picture = project.source ? project.source->picture() : Error{};
     if (!picture)
         return {};
     const auto& crop = project.edit.crop;
     const auto part = crop ? txn::crop((*picture)->image, *crop) : Error{};
-    return toQImage(part ? *part : (*picture)->image); // of a stack, its colors come first
+    const Image& whole = part ? *part : (*picture)->image;
+    const MaterialMaps& maps = project.source->maps();
+    return toQImage(maps.empty() ? whole : mapPicture(whole, maps, 0)); // its colors, if any
 }
 
 QByteArray thumbnail(const Project& project) {

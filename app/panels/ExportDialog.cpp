@@ -350,9 +350,9 @@ ExportSnapshot ExportDialog::snapshot() const {
         shot.name = tr("material");
     shot.asset.process = project.noise.process;
     shot.asset.meanImpacts = project.noise.meanImpacts;
-    if (m_pipeline.noiseTexton()) {
-        shot.asset.texton = *m_pipeline.noiseTexton();
-        shot.asset.maps = m_pipeline.shownTexton()->maps;
+    if (const auto texton = m_pipeline.presentNoiseTexton(); texton && m_pipeline.texton()) {
+        shot.asset.texton = *texton;
+        shot.asset.maps = m_pipeline.texton()->maps;
     }
     return shot;
 }

@@ -323,7 +323,7 @@ void NoisePanel::showSettings() {
     m_mesh->setVisible(onMesh);
     const bool material =
         m_document.project().source && !m_document.project().source->maps().empty();
-    m_lighting->setVisible(onMesh && !material);
+    m_lighting->setVisible(onMesh && !(material && noise.map.isEmpty()));
     m_lighting->setChecked(noise.lighting);
     showMaterial();
     m_filter->setCurrent(static_cast<int>(noise.filter));

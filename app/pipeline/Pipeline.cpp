@@ -28,6 +28,7 @@ Pipeline::Pipeline(ProjectDocument& document, JobRunner& runner, QObject* parent
 }
 
 void Pipeline::update() {
+    dropKeptOfOthers();
     updateExemplar();
     updateGaussian();
     updateTexton();
@@ -115,6 +116,7 @@ void Pipeline::updateTexton() {
             m_runner.cancel(JobKind::Texton);
             m_texton.set(key, importedTexton(*project.importedTexton));
             m_finishedTexton = m_texton.value;
+            updateNoiseTexton();
             emit textonChanged();
         }
         return;
@@ -122,6 +124,7 @@ void Pipeline::updateTexton() {
     if (!m_exemplar.value) {
         if (drop(JobKind::Texton, m_texton)) {
             m_finishedTexton.reset();
+            updateNoiseTexton();
             emit textonChanged();
         }
         return;
@@ -141,8 +144,8 @@ void Pipeline::updateTexton() {
         [this, key](JobContext& context) -> Delivery {
             const auto show = [this](const std::shared_ptr<const TextonResult>& result) {
                 m_texton.value = result;
-                emit textonChanged();
                 updateNoiseTexton();
+                emit textonChanged();
             };
             auto result = computeTexton(
                 *key.exemplar,
@@ -169,8 +172,8 @@ void Pipeline::cancelTexton() {
     // An unfinished texton belongs to the job: the last whole one comes back.
     if (m_texton.value != m_finishedTexton) {
         m_texton.value = m_finishedTexton;
-        emit textonChanged();
         updateNoiseTexton();
+        emit textonChanged();
     }
     emit stateChanged();
 }
@@ -319,15 +322,31 @@ void Pipeline::updateKept() {
     m_keptNoiseTexton = noiseOf(m_kept);
 }
 
+std::shared_ptr<const Texton> Pipeline::presentNoiseTexton() const {
+    return isShowingKept() ? noiseOf(m_texton.value) : m_noiseTexton;
+}
+
+/// A texton of another material would be taken for one of this.
+void Pipeline::dropKeptOfOthers() {
+    const Project& project = m_document.project();
+    if (!m_kept || (m_keptOf.first == project.source && m_keptOf.second == project.importedTexton))
+        return;
+    m_kept.reset();
+    showKept(false);
+}
+
 void Pipeline::keepTexton() {
-    if (m_finishedTexton)
+    if (m_finishedTexton) {
         m_kept = m_finishedTexton;
+        m_keptOf = {m_document.project().source, m_document.project().importedTexton};
+    }
     updateKept();
     showKept(false);
 }
 
 void Pipeline::showKept(bool kept) {
     m_showKept = kept && m_kept;
+    updateKept();
     updateNoiseTexton();
     emit stateChanged();
 }

@@ -8,6 +8,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <utility>
 
 namespace txn::app {
 
@@ -43,6 +44,11 @@ class Pipeline : public QObject {
     /// in exports.
     std::shared_ptr<const Texton> noiseTexton() const { return m_noiseTexton; }
 
+    /// What noiseTexton() was made of: shownTexton(), or the one before it for an instant.
+    std::shared_ptr<const TextonResult> noiseTextonSource() const { return m_noiseTextonOf; }
+    /// The same of texton(), whatever is shown: for exports.
+    std::shared_ptr<const Texton> presentNoiseTexton() const;
+
     /// Whether what is shown is not (yet) what the project asks for.
     bool isStale(Picture picture) const;
     bool isComputingTexton() const { return m_runner.isBusy(JobKind::Texton); }
@@ -76,6 +82,7 @@ class Pipeline : public QObject {
     void updateMesh();
     void updateNoiseTexton();
     void updateKept();
+    void dropKeptOfOthers();
     std::shared_ptr<const Texton> noiseOf(const std::shared_ptr<const TextonResult>& result) const;
     void fail(const Error& error);
     template <class Key, class Value>
@@ -132,6 +139,7 @@ class Pipeline : public QObject {
     std::shared_ptr<const TextonResult> m_finishedTexton;
     std::shared_ptr<const TextonResult> m_kept;
     std::shared_ptr<const Texton> m_keptNoiseTexton;
+    std::pair<std::shared_ptr<const Source>, std::shared_ptr<const TextonAsset>> m_keptOf;
     bool m_showKept = false;
     std::shared_ptr<const Texton> m_noiseTexton;
     std::shared_ptr<const TextonResult> m_noiseTextonOf;

@@ -86,14 +86,15 @@ void NoisePainter::show(const NoiseRequest& request) {
     m_maps = request.maps;
     m_map = request.map;
     m_relief.reset();
-    if (m_maps.empty()) {
+    m_drawnMap.reset();
+    if (channelCount(m_maps) != m_texton->channels()) {
         m_shownTexton = m_texton->channels() <= kColors
                             ? m_texton
                             : std::make_shared<const Texton>(firstChannels(*m_texton, kColors));
     } else if (m_map || !m_context) {
         // The processor does not shade: it shows the colors.
-        m_shownTexton =
-            std::make_shared<const Texton>(mapTexton(*m_texton, m_maps, m_map.value_or(0)));
+        m_drawnMap = m_map ? *m_map : findMap(m_maps, MapKind::Color).value_or(0);
+        m_shownTexton = std::make_shared<const Texton>(mapTexton(*m_texton, m_maps, *m_drawnMap));
     } else {
         auto material = materialTextons(*m_texton, m_maps);
         m_shownTexton = std::move(material.base);
@@ -103,8 +104,8 @@ void NoisePainter::show(const NoiseRequest& request) {
 
 /// Normals are drawn as slopes; a material's fourth channel is no transparency.
 Image NoisePainter::finished(Image drawn) const {
-    if (m_map && isNormal(m_maps[*m_map].kind))
-        return normalsOfSlopes(drawn, m_maps[*m_map].kind == MapKind::NormalYDown);
+    if (m_drawnMap && isNormal(m_maps[*m_drawnMap].kind))
+        return normalsOfSlopes(drawn, m_maps[*m_drawnMap].kind == MapKind::NormalYDown);
     return drawn;
 }
 

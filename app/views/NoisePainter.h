@@ -49,6 +49,7 @@ class NoisePainter {
     std::shared_ptr<const Texton> m_texton; ///< as requested
     MaterialMaps m_maps;
     std::optional<std::size_t> m_map;
+    std::optional<std::size_t> m_drawnMap;       ///< alone
     std::shared_ptr<const Texton> m_shownTexton; ///< its first channels, a map's, or a material's
     std::shared_ptr<const Texton> m_relief;      ///< of a shaded material
     std::shared_ptr<const TriangleMesh> m_mesh;

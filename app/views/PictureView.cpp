@@ -26,26 +26,10 @@ constexpr double kLightPerPixel = 0.006;
 constexpr double kWheelStep = 1.189207115002721; // 2^(1/4)
 constexpr double kHighestPitch = 1.55;
 
-/// Null where there is no such picture (yet), and for the noise.
-std::shared_ptr<const PicturePyramid>
-pyramidOf(const Pipeline& pipeline, Picture picture, std::size_t map, bool kept) {
-    const auto pictureOf = [map](const auto& result) {
-        return result ? std::shared_ptr<const PicturePyramid>(
-                            result,
-                            &result->pictures[std::min(map, result->pictures.size() - 1)])
-                      : nullptr;
-    };
-    switch (picture) {
-    case Picture::Exemplar:
-        return pictureOf(pipeline.exemplar());
-    case Picture::Gaussian:
-        return pictureOf(pipeline.gaussian());
-    case Picture::Texton:
-        return pictureOf(kept ? pipeline.keptTexton() : pipeline.shownTexton());
-    case Picture::Noise:
-        break;
-    }
-    return nullptr;
+std::optional<std::size_t> mapNamed(const MaterialMaps& maps, const QString& name) {
+    const auto it = std::ranges::find(maps, name.toStdString(), &MaterialMap::name);
+    return it == maps.end() ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(it - maps.begin()));
 }
 
 } // namespace
@@ -143,19 +127,37 @@ std::shared_ptr<const Texton> PictureView::noiseTexton() const {
 
 bool PictureView::showsMaterial() const {
     const auto texton = this->texton();
-    return picture() == Picture::Noise && texton && !texton->maps.empty() && !shownMap();
+    return picture() == Picture::Noise && texton && !texton->maps.empty() &&
+           !mapNamed(texton->maps, m_document.project().noise.map);
 }
 
-std::optional<std::size_t> PictureView::shownMap() const {
-    const auto texton = m_pipeline.texton();
+/// Null where there is no such picture (yet), and for the noise.
+std::shared_ptr<const PicturePyramid> PictureView::pyramidOf(Picture picture) const {
     const auto exemplar = m_pipeline.exemplar();
-    const MaterialMaps& maps = exemplar ? exemplar->exemplar.maps
-                               : texton ? texton->maps
-                                        : MaterialMaps{};
-    const std::string name = m_document.project().noise.map.toStdString();
-    const auto it = std::ranges::find(maps, name, &MaterialMap::name);
-    return it == maps.end() ? std::nullopt
-                            : std::optional(static_cast<std::size_t>(it - maps.begin()));
+    // Of a stack, the map that is shown, or the first one.
+    const auto pictureOf = [&](const auto& result, const MaterialMaps& maps) {
+        const std::size_t map = mapNamed(maps, m_document.project().noise.map).value_or(0);
+        return std::shared_ptr<const PicturePyramid>(
+            result,
+            &result->pictures[std::min(map, result->pictures.size() - 1)]);
+    };
+    switch (picture) {
+    case Picture::Exemplar:
+        if (exemplar)
+            return pictureOf(exemplar, exemplar->exemplar.maps);
+        break;
+    case Picture::Gaussian:
+        if (const auto gaussian = m_pipeline.gaussian(); gaussian && exemplar)
+            return pictureOf(gaussian, exemplar->exemplar.maps);
+        break;
+    case Picture::Texton:
+        if (const auto shown = texton())
+            return pictureOf(shown, shown->maps);
+        break;
+    case Picture::Noise:
+        break;
+    }
+    return nullptr;
 }
 
 QRect PictureView::area() const {
@@ -169,7 +171,7 @@ QSize PictureView::screen() const {
 }
 
 Size PictureView::sizeOf(Picture picture) const {
-    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0), showsKept());
+    const auto pyramid = pyramidOf(picture);
     return pyramid ? pyramid->image().size() : Size{};
 }
 
@@ -211,8 +213,7 @@ void PictureView::refresh() {
     // What is drawn of a result must not keep all of it alive once it has been replaced.
     for (const Picture each : kPictures) {
         Drawn& drawn = m_drawn[static_cast<std::size_t>(each)];
-        if (drawn.pyramid &&
-            drawn.pyramid != pyramidOf(m_pipeline, each, shownMap().value_or(0), showsKept()))
+        if (drawn.pyramid && drawn.pyramid != pyramidOf(each))
             drawn = {};
     }
     m_title->showPictures(picture(), m_second);
@@ -230,11 +231,10 @@ void PictureView::requestNoise() {
         const Project& project = m_document.project();
         const ViewState& view = m_document.view();
         request.texton = noiseTexton();
-        if (const auto of = texton()) {
+        if (const auto of =
+                showsKept() ? m_pipeline.keptTexton() : m_pipeline.noiseTextonSource()) {
             request.maps = of->maps;
-            request.map = shownMap();
-            if (request.map && *request.map >= request.maps.size())
-                request.map.reset();
+            request.map = mapNamed(of->maps, project.noise.map);
         }
         request.style.light = project.noise.light;
         const bool onMesh =
@@ -248,6 +248,8 @@ void PictureView::requestNoise() {
         request.style.noise.seed = project.noise.seed;
         request.style.filter = project.noise.filter;
         request.view = noiseView(view, project.noise, radius);
+        if (request.map && request.maps[*request.map].kind != MapKind::Color)
+            showAsData(request.view);
         request.size = screen();
         request.display = {view.exposure, view.channel};
     }
@@ -281,7 +283,7 @@ QImage PictureView::drawn(Picture picture) {
     if (picture == Picture::Noise)
         return drawnNoise();
     const ViewState& view = m_document.view();
-    const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0), showsKept());
+    const auto pyramid = pyramidOf(picture);
     if (!pyramid) {
         QImage nothing(screen(), QImage::Format_ARGB32_Premultiplied);
         nothing.fill(Qt::transparent);
@@ -528,7 +530,7 @@ void PictureView::probe(QPointF position) {
         sampleX = static_cast<int>(point.x() * image->width() / screen().width());
         sampleY = static_cast<int>(point.y() * image->height() / screen().height());
     } else {
-        const auto pyramid = pyramidOf(m_pipeline, picture, shownMap().value_or(0), showsKept());
+        const auto pyramid = pyramidOf(picture);
         if (!pyramid)
             return;
         image = &pyramid->image();

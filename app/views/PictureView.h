@@ -103,8 +103,7 @@ class PictureView : public QWidget {
     /// "A" or "B" where a texton has been kept to compare with.
     QString whichTexton() const;
     void moveLight(QPointF distance);
-    /// Of a stack: the one map that is shown; unset: the material, or a plain picture.
-    std::optional<std::size_t> shownMap() const;
+    std::shared_ptr<const PicturePyramid> pyramidOf(Picture picture) const;
     void zoomAtPoint(QPointF point, double factor);
 
     ProjectDocument& m_document;

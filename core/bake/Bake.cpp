@@ -17,8 +17,10 @@ struct Output {
     ImageWriter writer;
     std::optional<std::size_t> map; ///< unset: all channels, or all maps as layers
 
-    Image picture(const Image& band, const MaterialMaps& maps) const {
-        return map ? mapPicture(band, maps, *map) : maps.empty() ? band : allMaps(band, maps);
+    Result<void> write(const Image& band, const MaterialMaps& maps) {
+        if (maps.empty())
+            return writer.writeRows(band);
+        return writer.writeRows(map ? mapPicture(band, maps, *map) : allMaps(band, maps));
     }
 
   private:
@@ -99,7 +101,7 @@ Result<BakeReport> bake(const NoiseGrid& noise,
         if (!band)
             return band.error();
         for (Output& output : *outputs) {
-            if (const auto ok = output.writer.writeRows(output.picture(*band, target.maps)); !ok)
+            if (const auto ok = output.write(*band, target.maps); !ok)
                 return ok.error();
         }
         y += rows;
@@ -117,8 +119,9 @@ Result<BakeReport> bake(const NoiseGrid& noise,
     }
     if (const auto ok = together.commit(); !ok)
         return ok.error();
-    report.clippedShare /=
-        static_cast<double>(rect.size.area()) * static_cast<double>(noise.channels());
+    const std::size_t channels = target.maps.empty() ? static_cast<std::size_t>(noise.channels())
+                                                     : pictureChannelNames(target.maps).size();
+    report.clippedShare /= static_cast<double>(rect.size.area()) * static_cast<double>(channels);
     return report;
 }
 

@@ -436,6 +436,14 @@ Result<std::vector<fs::path>> saveTexton(const TextonAsset& asset,
     return written;
 }
 
+std::vector<fs::path> textonFiles(const fs::path& path, const MaterialMaps& maps) {
+    const fs::path base = path.extension() == ".json" ? fs::path(path).replace_extension() : path;
+    const auto format = formatForPath(base);
+    auto files = pictureFiles(base, format ? *format : TextonFormat::OpenExr, maps);
+    files.push_back(sidecarPath(base));
+    return files;
+}
+
 Result<void> checkTextonOutputs(std::span<const fs::path> outputs, const MaterialMaps& maps) {
     OutputFiles files;
     for (const fs::path& path : outputs) {
@@ -449,9 +457,15 @@ Result<void> checkTextonOutputs(std::span<const fs::path> outputs, const Materia
                           {ErrorCode::Unsupported,
                            "a .texton file holds 1 or 3 channels and these maps have " +
                                std::to_string(channels) + "; use EXR"});
-        auto all = pictureFiles(path, *format, maps);
-        all.push_back(sidecarPath(path));
-        for (const fs::path& file : all) {
+        for (const MaterialMap& map : maps) {
+            if (*format == TextonFormat::Png && map.channels > 3)
+                return inFile("write",
+                              path,
+                              {ErrorCode::Unsupported,
+                               "a PNG holds at most 3 channels and the map '" + map.name +
+                                   "' has " + std::to_string(map.channels) + "; use EXR"});
+        }
+        for (const fs::path& file : textonFiles(path, maps)) {
             if (const auto ok = files.add(file); !ok)
                 return ok.error();
         }
@@ -467,8 +481,14 @@ Result<std::variant<TextonAsset, LoadedImage>> loadTextonOrImage(const fs::path&
             return asset.error();
         return Loaded(std::move(*asset));
     };
-    if (path.extension() == ".json")
-        return loadTextonOrImage(fs::path(path).replace_extension(), options);
+    if (const fs::path base = fs::path(path).replace_extension();
+        path.extension() == ".json" && hasSidecar(base)) {
+        auto loaded = loadTextonOrImage(base, options);
+        if (!loaded || std::holds_alternative<TextonAsset>(*loaded))
+            return loaded;
+        return Error{ErrorCode::Unreadable,
+                     "the picture in " + quoted(base) + " does not match its description"};
+    }
     const auto format = formatForPath(path);
     std::error_code unknown; // of names too long, say: loadImage tells
     if (format && *format == TextonFormat::Png && !fs::exists(path, unknown) && !unknown &&

@@ -19,6 +19,10 @@ namespace txn {
 [[nodiscard]] Result<std::vector<std::filesystem::path>>
 saveTexton(const TextonAsset& asset, std::span<const std::filesystem::path> outputs);
 
+/// All files of a texton that is stored under path: its pictures and its sidecar.
+[[nodiscard]] std::vector<std::filesystem::path> textonFiles(const std::filesystem::path& path,
+                                                             const MaterialMaps& maps);
+
 /// Whether saveTexton could write these, as far as can be known before there is a texton (of these
 /// maps, if it is one of a stack): endings, folders, permissions. Errors: the same.
 [[nodiscard]] Result<void> checkTextonOutputs(std::span<const std::filesystem::path> outputs,

@@ -5,7 +5,6 @@
 #include "core/gaussian/Exemplar.h"
 #include "core/spectral/BSpline.h"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -78,20 +77,15 @@ bool readMaps(const Json& json, int channels, MaterialMaps& maps) {
         MaterialMap map;
         std::string kind;
         long long count = 0;
-        if (!item.is_object() || !readText(item, "name", map.name) || !isMapName(map.name) ||
+        if (!item.is_object() || !readText(item, "name", map.name) ||
             !readText(item, "kind", kind) || !mapKindFromString(kind) ||
             !readInt(item, "channels", 1, kMaxExemplarChannels, count))
             return false;
         map.kind = *mapKindFromString(kind);
         map.channels = static_cast<int>(count);
-        const bool known = std::ranges::any_of(maps, [&](const MaterialMap& other) {
-            return other.name == map.name;
-        });
-        if (known || (isNormal(map.kind) && map.channels != 2))
-            return false;
         maps.push_back(std::move(map));
     }
-    return channelCount(maps) == channels;
+    return areMapsOf(maps, channels);
 }
 
 } // namespace

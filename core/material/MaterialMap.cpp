@@ -107,6 +107,18 @@ bool isMapName(std::string_view name) {
            });
 }
 
+bool areMapsOf(const MaterialMaps& maps, int channels) {
+    for (auto it = maps.begin(); it != maps.end(); ++it) {
+        const bool repeated = std::any_of(maps.begin(), it, [&](const MaterialMap& other) {
+            return other.name == it->name;
+        });
+        if (repeated || !isMapName(it->name) || it->channels < 1 ||
+            (isNormal(it->kind) && it->channels != 2))
+            return false;
+    }
+    return channelCount(maps) == channels;
+}
+
 std::filesystem::path mapFile(const std::filesystem::path& path, const std::string& map) {
     std::filesystem::path result = path;
     result.replace_filename(path.stem().string() + "_" + map + path.extension().string());

@@ -44,6 +44,9 @@ using MaterialMaps = std::vector<MaterialMap>;
 /// Whether a map may be called that: letters, digits, '-' and '_', up to 32, and not "a" or
 /// "alpha", which stand for transparency in files.
 [[nodiscard]] bool isMapName(std::string_view name);
+/// Whether these can be the maps of a stack of so many channels: names that may be and differ, two
+/// channels for normals, none left over.
+[[nodiscard]] bool areMapsOf(const MaterialMaps& maps, int channels);
 /// The file of one map of a set: "stone_height.png" of "stone.png" and "height".
 [[nodiscard]] std::filesystem::path mapFile(const std::filesystem::path& path,
                                             const std::string& map);

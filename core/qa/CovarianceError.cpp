@@ -12,6 +12,12 @@ namespace txn {
 namespace {
 
 constexpr int kSmallest = 4;
+/// A covariance of many channels at many lags takes much memory.
+constexpr double kMostValues = 8e6;
+
+int mostLag(int channels) {
+    return static_cast<int>((std::sqrt(kMostValues) / channels - 1.0) / 2.0);
+}
 
 /// |C_1 - C_2| of the two halves.
 double
@@ -52,7 +58,8 @@ Result<CovarianceError> covarianceError(const Exemplar& exemplar, const Texton& 
     const Size support = texton.support.size();
     const auto weights = channelWeights(exemplar);
     CovarianceError result;
-    result.lag = std::min(std::min(support.width, support.height) / 2, shorter / 2 - 1);
+    result.lag = std::min(
+        {std::min(support.width, support.height) / 2, shorter / 2 - 1, mostLag(image.channels())});
     const auto own = autocovariance(image, result.lag).weighted(weights);
     const double norm = own.norm(result.lag);
     if (!(norm > 0.0))

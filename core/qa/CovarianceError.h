@@ -18,7 +18,8 @@ struct CovarianceError {
     double error = 0.0;
     /// Root mean square, over the left-right and the top-bottom cut, of |C_1 - C_2| / (2 |C|).
     double floor = 0.0;
-    int lag = 0; ///< half the shorter side of the support, or less for a small exemplar
+    int lag =
+        0; ///< half the shorter side of the support, or less for small exemplars and many channels
 };
 
 /// The floor alone, for lags that leave room in the exemplar's halves; relative to the whole.

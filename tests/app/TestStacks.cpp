@@ -226,6 +226,21 @@ class TestStacks : public QObject {
         QVERIFY(*views[0]->noiseFrame().request.texton == first->texton);
     }
 
+    void aKeptTextonGoesWithItsMaterial() {
+        Studio studio;
+        QVERIFY(studio.openSmall());
+        studio.trigger("texton.keep");
+        studio.trigger("texton.showKept");
+        QVERIFY(studio->pipeline().isShowingKept());
+        // Exports are of the present one all the same.
+        studio.document().change("Seed", [](Project& p) { p.texton.seed = Seed{5}; });
+        QVERIFY(studio.settle());
+        QVERIFY(*studio->pipeline().presentNoiseTexton() == studio->pipeline().texton()->texton);
+        QVERIFY(studio.openSmallStack());
+        QVERIFY(!studio->pipeline().keptTexton() && !studio->pipeline().isShowingKept());
+        QCOMPARE(studio->pipeline().noiseTexton()->channels(), 8);
+    }
+
     void croppingAndTurningWorkOnAllMaps() {
         Studio studio;
         QVERIFY(studio.openSmallStack());

@@ -74,6 +74,8 @@ class TestStory : public QObject {
     /// The same as one JSON object.
     QJsonObject json(const QString& arguments) const;
     QByteArray bytes(const QString& name) const;
+    /// Whether the run ends with an error, and every file stays as it was.
+    bool refuses(const QString& arguments) const;
     Image image(const QString& name) const;
     /// Runs `noise` with these options and reads the float EXR.
     Image noise(const QString& texton, const QString& options) const;
@@ -110,6 +112,20 @@ QJsonObject TestStory::json(const QString& arguments) const {
 QByteArray TestStory::bytes(const QString& name) const {
     QFile file(m_folder.filePath(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool TestStory::refuses(const QString& arguments) const {
+    const auto all = [this] {
+        QMap<QString, QByteArray> files;
+        for (const QString& name : QDir(m_folder.path()).entryList(QDir::Files))
+            files[name] = bytes(name);
+        return files;
+    };
+    const auto before = all();
+    QProcess process;
+    process.setWorkingDirectory(m_folder.path());
+    process.start(TXN_TEXTON_PROGRAM, arguments.split(' '));
+    return process.waitForFinished(kTimeoutMs) && process.exitCode() == 1 && all() == before;
 }
 
 Image TestStory::image(const QString& name) const {
@@ -209,6 +225,13 @@ void TestStory::makesMaterialsOfSeveralMaps() {
         QVERIFY(imageDistance(image("set.exr"), image("layers.exr")) <= 0.02);
     }
     QCOMPARE(json("info rock.png")["maps"].toArray().size(), 3);
+    // Nothing that is read is written over, under none of its names.
+    for (const char* command :
+         {"noise rock.png -o rock.png --size 8x8",
+          "noise rock.png.json -o rock.png --size 8x8",
+          "render rock.png -o rock_color.png --size 8x8",
+          "compute --stack color=rock_color.png --stack normal=rock_normal.png -o rock.png"})
+        QVERIFY2(refuses(command), command);
     run("sheet --stack color=albedo.png --stack normal=bumps.png --support 12 -o maps.png");
 }
 

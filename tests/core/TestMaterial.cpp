@@ -161,6 +161,11 @@ class TestMaterial : public QObject {
             stackMaps({picture("x", MapKind::Data, three), picture("x", MapKind::Data, three)}),
             ErrorCode::InvalidArgument);
         TXN_FAILS_WITH(stackMaps({}), ErrorCode::InvalidArgument);
+        QVERIFY(!areMapsOf({{"n", MapKind::Normal, 1}}, 1));
+        QVERIFY(!areMapsOf({{"a", MapKind::Data, 1}}, 1)); // would be read as transparency
+        QVERIFY(!areMapsOf({{"x", MapKind::Data, 1}, {"x", MapKind::Data, 1}}, 2));
+        QVERIFY(!areMapsOf({{"../x", MapKind::Data, 2}}, 2));
+        QVERIFY(areMapsOf({{"x", MapKind::Data, 1}, {"n", MapKind::Normal, 2}}, 3));
         TXN_FAILS_WITH(makeExemplar(three, "x", {{"color", MapKind::Color, 1}}),
                        ErrorCode::SizeMismatch);
     }
