@@ -87,9 +87,9 @@ void addCompare(CLI::App& app, Session& session) {
         app.add_subcommand("compare", "Measure how far a texture B is from a texture A");
     command->footer("Pictures and textons may be mixed; errors are relative to A, 0 is equal.\n"
                     "At 1 x the floor the two are as close as half a picture is to all of it.\n"
-                    "Of pictures the periodic component is taken, as in compute.\n"
-                    "The relative model error stays near 0.46 even for a perfect texton, because\n"
-                    "it compares with one photograph, in which every wave's strength is random.\n"
+                    "Of pictures the periodic component is taken, as in compute.\n" +
+                    std::string(kWhyModelErrorStays) +
+                    "\n"
                     "Example:\n  texton compare wood.jpg wood_4k.png");
     auto options = std::make_shared<Options>();
     command->add_option("A", options->a, "Picture or texton")->required();

@@ -38,32 +38,33 @@ Result<SolveOptions> fitFor(const std::vector<std::filesystem::path>& outputs,
     return options;
 }
 
-Result<void> run(const Options& options, const CancelToken& cancel) {
+/// That nothing which is read is written over, and all can be written.
+Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
     for (const auto& output : options.outputs) {
-        for (const auto& input : inputFiles(options.exemplar)) {
-            if (const auto ok = checkNotInput(input, output); !ok)
-                return ok.error();
-        }
-    }
-    if (options.exemplar.stack.empty()) {
-        if (const auto ok = checkTextonOutputs(options.outputs); !ok)
-            return ok.error();
-    }
-    Stopwatch watch;
-    const auto exemplar = loadExemplar(options.exemplar);
-    if (!exemplar)
-        return exemplar.error();
-    // What files a stack becomes is known only now.
-    for (const auto& output : options.outputs) {
-        for (const auto& file : textonFiles(output, exemplar->maps)) {
+        for (const auto& file : textonFiles(output, maps)) {
             for (const auto& input : inputFiles(options.exemplar)) {
                 if (const auto ok = checkNotInput(input, file); !ok)
                     return ok.error();
             }
         }
     }
-    if (const auto ok = checkTextonOutputs(options.outputs, exemplar->maps); !ok)
-        return ok.error();
+    return checkTextonOutputs(options.outputs, maps);
+}
+
+Result<void> run(const Options& options, const CancelToken& cancel) {
+    const bool stack = !options.exemplar.stack.empty();
+    if (!stack) {
+        if (const auto ok = checkOutputs(options, {}); !ok)
+            return ok.error();
+    }
+    Stopwatch watch;
+    const auto exemplar = loadExemplar(options.exemplar);
+    if (!exemplar)
+        return exemplar.error();
+    if (stack) { // what files it becomes is known only now
+        if (const auto ok = checkOutputs(options, exemplar->maps); !ok)
+            return ok.error();
+    }
     const double load = watch.lap();
     const GaussianModel model(*exemplar, !options.solve.noPeriodic);
     const auto how = fitFor(options.outputs, options.solve);
@@ -146,9 +147,8 @@ void addCompute(CLI::App& app, Session& session) {
         "                 --stack roughness=rock_rough.png -o rock.exr\n"
         "The covariance error tells how far the texton's noise is from the material; at 1 x the\n"
         "floor it is as close as one half of the photograph is to all of it.\n"
-        "With --method projections: the relative model error stays near 0.46 even for a perfect\n"
-        "texton, because it compares with one photograph, in which every wave's strength is "
-        "random.");
+        "With --method projections:\n" +
+        std::string(kWhyModelErrorStays));
     auto options = std::make_shared<Options>();
     addMaterialOptions(*command, options->exemplar);
     command

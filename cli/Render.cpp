@@ -192,8 +192,8 @@ Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
         drawn.name = name;
         return drawn;
     }
-    const auto known = std::ranges::find(asset.maps, name, &MaterialMap::name);
-    if (known == asset.maps.end()) {
+    const auto index = findMap(asset.maps, name);
+    if (!index) {
         std::string names = "material";
         for (const MaterialMap& map : asset.maps)
             names += ", " + map.name;
@@ -201,14 +201,14 @@ Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
                      "there is no map '" + name + "' in " + quoted(options.texton) +
                          "; --map takes " + names};
     }
-    const auto index = static_cast<std::size_t>(known - asset.maps.begin());
+    const MapKind kind = asset.maps[*index].kind;
     Drawn drawn;
-    drawn.texton = std::make_shared<Texton>(mapTexton(texton, asset.maps, index));
+    drawn.texton = std::make_shared<Texton>(mapTexton(texton, asset.maps, *index));
     drawn.channels = drawn.texton->channels();
     drawn.name = name;
-    drawn.isData = known->kind != MapKind::Color;
-    if (isNormal(known->kind))
-        drawn.finish = [yDown = known->kind == MapKind::NormalYDown](const Image& picture) {
+    drawn.isData = kind != MapKind::Color;
+    if (isNormal(kind))
+        drawn.finish = [yDown = kind == MapKind::NormalYDown](const Image& picture) {
             return normalsOfSlopes(picture, yDown);
         };
     return drawn;

@@ -59,4 +59,9 @@ void printWritten(std::span<const std::filesystem::path> paths);
 /// 1234.5 as "1234.5", 0.1234 as "0.1234": four significant digits.
 [[nodiscard]] std::string shortNumber(double value);
 
+/// In one sentence, why the relative model error cannot be small.
+inline constexpr const char* kWhyModelErrorStays =
+    "The relative model error stays near 0.46 even for a perfect texton, because it compares\n"
+    "with one photograph, in which every wave's strength is random.";
+
 } // namespace txn::cli

@@ -37,11 +37,10 @@ std::vector<Panel> panels(const Exemplar& exemplar,
                           Size shown,
                           const std::string& noiseName) {
     const Size whole = exemplar.image.size();
-    const Rect middle{(whole.width - shown.width) / 2, (whole.height - shown.height) / 2, shown};
-    const Image picture = *crop(exemplar.image, middle);
+    const Image picture = middlePart(exemplar.image, shown);
     if (exemplar.maps.empty())
         return {{"Exemplar, " + sizeText(whole), picture},
-                {"Gaussian version (ADSN)", *crop(gaussian, middle)},
+                {"Gaussian version (ADSN)", middlePart(gaussian, shown)},
                 {"Texton, " + sizeText(texton.support.size()) + ", order " +
                      std::to_string(texton.interpolationOrder),
                  textonPicture(texton, shown)},

@@ -45,9 +45,4 @@ struct Solved {
 /// "covariance error 1.1 x the floor".
 [[nodiscard]] std::string inWords(const CovarianceError& dial);
 
-/// Why the relative model error cannot be small, in one sentence.
-inline constexpr const char* kWhyModelErrorStays =
-    "The relative model error stays near 0.46 even for a perfect texton, because it compares with "
-    "one photograph, in which every wave's strength is random.";
-
 } // namespace txn::cli

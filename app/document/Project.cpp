@@ -3,6 +3,12 @@
 
 namespace txn::app {
 
+MaterialMaps mapsOf(const Project& project) {
+    if (project.source)
+        return project.source->maps();
+    return project.importedTexton ? project.importedTexton->maps : MaterialMaps{};
+}
+
 ComputeParams computeParams(const TextonSettings& settings) {
     ComputeParams params;
     params.method = settings.method;

@@ -87,6 +87,9 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
+/// Of what is open; empty for plain pictures and textons of such.
+[[nodiscard]] MaterialMaps mapsOf(const Project& project);
+
 /// What core computes it by.
 [[nodiscard]] ComputeParams computeParams(const TextonSettings& settings);
 

@@ -2,7 +2,6 @@
 #include "app/files/Autosave.h"
 
 #include "app/display/PicturePyramid.h"
-#include "app/jobs/Results.h"
 #include "core/image/ImageGeometry.h"
 #include "core/material/MapStack.h"
 #include "core/sheet/ContactSheet.h"
@@ -28,18 +27,14 @@ constexpr int kThumbnailPx = 192;
 /// What the artist would see again: the part of the photo that was used, or the texton.
 QImage preview(const Project& project) {
     if (project.importedTexton)
-        return toQImage(mapPictures(textonPicture(project.importedTexton->texton, {0, 0}),
-                                    project.importedTexton->maps)
-                            .front()
-                            .image());
+        return toQImage(firstPicture(textonPicture(project.importedTexton->texton, {0, 0}),
+                                     project.importedTexton->maps));
     const auto picture = project.source ? project.source->picture() : Error{};
     if (!picture)
         return {};
     const auto& crop = project.edit.crop;
     const auto part = crop ? txn::crop((*picture)->image, *crop) : Error{};
-    const Image& whole = part ? *part : (*picture)->image;
-    const MaterialMaps& maps = project.source->maps();
-    return toQImage(maps.empty() ? whole : mapPicture(whole, maps, 0)); // its colors, if any
+    return toQImage(firstPicture(part ? *part : (*picture)->image, project.source->maps()));
 }
 
 QByteArray thumbnail(const Project& project) {

@@ -2,26 +2,13 @@
 #include "app/jobs/AnalysisJob.h"
 
 #include "core/image/ImageGeometry.h"
+#include "core/material/MapStack.h"
 #include "core/noise/NoiseGrid.h"
-
-#include <algorithm>
 
 namespace txn::app {
 namespace {
 
-constexpr int kMaxSidePx = 1024;
-
-/// Its middle, where it is larger than that.
-Image middle(const Image& image) {
-    const Size size{std::min(image.width(), kMaxSidePx), std::min(image.height(), kMaxSidePx)};
-    if (size == image.size())
-        return image;
-    auto part =
-        crop(image, {(image.width() - size.width) / 2, (image.height() - size.height) / 2, size});
-    if (!part)
-        return image;
-    return std::move(*part);
-}
+constexpr Size kLargest{1024, 1024};
 
 } // namespace
 
@@ -31,13 +18,13 @@ Result<std::shared_ptr<const AnalysisResult>> analyseAll(const ExemplarResult& e
                                                          const NoiseParams& noise,
                                                          JobContext& context) {
     const Error cancelled{ErrorCode::Cancelled, "cancelled"};
-    const Image original = middle(exemplar.exemplar.image);
+    const Image original = middlePart(exemplar.pictures.front().image(), kLargest);
     auto result = std::make_shared<AnalysisResult>();
     result->exemplar = analyseTexture(original);
     context.setProgress(0.3);
     if (context.cancelled())
         return cancelled;
-    result->gaussian = analyseTexture(middle(gaussian.image));
+    result->gaussian = analyseTexture(middlePart(gaussian.pictures.front().image(), kLargest));
     context.setProgress(0.6);
     if (context.cancelled())
         return cancelled;
@@ -48,7 +35,7 @@ Result<std::shared_ptr<const AnalysisResult>> analyseAll(const ExemplarResult& e
     if (!rendered)
         return rendered.error();
     context.setProgress(0.8);
-    result->noise = analyseTexture(*rendered);
+    result->noise = analyseTexture(firstPicture(*rendered, exemplar.exemplar.maps));
     return std::shared_ptr<const AnalysisResult>(std::move(result));
 }
 

@@ -41,11 +41,6 @@ QImage seam(const PicturePyramid& picture) {
     return picture.draw(window, {});
 }
 
-/// What stands for the whole: the picture, or the first map of a stack.
-Image mapPicture(const Image& image, const MaterialMaps& maps) {
-    return maps.empty() ? image : txn::mapPicture(image, maps, 0);
-}
-
 /// The edits in their order, on an exemplar whose samples are all numbers. Sets beforeFlattening if
 /// the lighting is evened.
 Result<Exemplar> edited(Exemplar exemplar,
@@ -62,7 +57,7 @@ Result<Exemplar> edited(Exemplar exemplar,
     }
     context.setProgress(0.2);
     if (edit.flattenRadiusPx) {
-        beforeFlattening = mapPicture(exemplar.image, exemplar.maps);
+        beforeFlattening = firstPicture(exemplar.image, exemplar.maps);
         auto even = lightingEvened(std::move(exemplar), *edit.flattenRadiusPx, context.token());
         if (!even)
             return even;
@@ -136,7 +131,7 @@ Result<std::shared_ptr<const ExemplarResult>> makeExemplarResult(
     context.setProgress(0.9);
     if (context.cancelled())
         return cancelled;
-    result->overview = overview(PicturePyramid(mapPicture(picture, source->maps())), kOverviewPx);
+    result->overview = overview(PicturePyramid(firstPicture(picture, source->maps())), kOverviewPx);
     if (context.cancelled())
         return cancelled;
     result->seamAfter = seam(PicturePyramid(periodicComponent(result->pictures.front().image())));

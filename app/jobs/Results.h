@@ -39,7 +39,6 @@ struct ExemplarResult {
 };
 
 struct GaussianResult {
-    Image image; ///< all channels
     MapPictures pictures;
 };
 

@@ -38,7 +38,9 @@ computeTexton(const ExemplarResult& exemplar,
     const ComputeParams params = computeParams(settings);
     std::vector<ErrorPoint> curve;
     qint64 published = -kPublishEveryMs;
+    int iterations = 0;
     const auto observe = [&](const ComputeProgress& now) {
+        iterations = now.iteration;
         context.setProgress(now.share);
         // Measuring may cost half an iteration, so the points get sparser as the curve gets
         // flatter.
@@ -59,16 +61,8 @@ computeTexton(const ExemplarResult& exemplar,
         publish(std::move(made));
         published = watch.elapsed();
     };
-    int iterations = 0;
-    auto computed = txn::computeTexton(
-        exemplar.exemplar,
-        exemplar.model,
-        params,
-        [&](const ComputeProgress& now) {
-            iterations = now.iteration;
-            observe(now);
-        },
-        context.token());
+    auto computed =
+        txn::computeTexton(exemplar.exemplar, exemplar.model, params, observe, context.token());
     if (!computed)
         return computed.error().code == ErrorCode::Cancelled
                    ? computed.error()

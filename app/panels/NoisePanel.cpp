@@ -264,9 +264,7 @@ void NoisePanel::buildMaterial() {
 
 void NoisePanel::showMaterial() {
     const Project& project = m_document.project();
-    const MaterialMaps maps = project.source           ? project.source->maps()
-                              : project.importedTexton ? project.importedTexton->maps
-                                                       : MaterialMaps{};
+    const MaterialMaps maps = mapsOf(project);
     while (m_map->box().count() > 1)
         m_map->box().removeItem(1);
     int current = 0;
@@ -321,9 +319,8 @@ void NoisePanel::showSettings() {
     m_mesh->setCurrent(static_cast<int>(known - kMeshes.begin()));
     const bool onMesh = noise.scene == NoiseScene::Mesh || noise.scene == NoiseScene::Surface;
     m_mesh->setVisible(onMesh);
-    const bool material =
-        m_document.project().source && !m_document.project().source->maps().empty();
-    m_lighting->setVisible(onMesh && !(material && noise.map.isEmpty()));
+    const bool material = !mapsOf(m_document.project()).empty() && noise.map.isEmpty();
+    m_lighting->setVisible(onMesh && !material);
     m_lighting->setChecked(noise.lighting);
     showMaterial();
     m_filter->setCurrent(static_cast<int>(noise.filter));

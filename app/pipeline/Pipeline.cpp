@@ -89,23 +89,22 @@ void Pipeline::updateGaussian() {
         m_runner.cancel(JobKind::Gaussian);
         return;
     }
-    m_runner.submit(JobKind::Gaussian,
-                    tr("Making the Gaussian version"),
-                    [this, key](JobContext& context) -> Delivery {
-                        Image image = sampleGaussian(key.exemplar->model,
-                                                     key.settings.method,
-                                                     key.settings.seed);
-                        auto pictures = mapPictures(image, key.exemplar->exemplar.maps);
-                        auto result = freedInBackground(std::make_shared<const GaussianResult>(
-                            GaussianResult{std::move(image), std::move(pictures)}));
-                        if (context.cancelled())
-                            return {};
-                        return [this, key, result = std::move(result)] {
-                            m_gaussian.set(key, result);
-                            emit gaussianChanged();
-                            update();
-                        };
-                    });
+    m_runner.submit(
+        JobKind::Gaussian,
+        tr("Making the Gaussian version"),
+        [this, key](JobContext& context) -> Delivery {
+            auto result =
+                freedInBackground(std::make_shared<const GaussianResult>(GaussianResult{mapPictures(
+                    sampleGaussian(key.exemplar->model, key.settings.method, key.settings.seed),
+                    key.exemplar->exemplar.maps)}));
+            if (context.cancelled())
+                return {};
+            return [this, key, result = std::move(result)] {
+                m_gaussian.set(key, result);
+                emit gaussianChanged();
+                update();
+            };
+        });
 }
 
 void Pipeline::updateTexton() {
@@ -301,11 +300,13 @@ void Pipeline::updateNoiseTexton() {
     if (m_noiseTextonOf == shown && m_contrast == noise.contrast &&
         m_brightness == noise.brightness)
         return;
+    const bool sameLook = m_contrast == noise.contrast && m_brightness == noise.brightness;
     m_noiseTextonOf = shown;
     m_contrast = noise.contrast;
     m_brightness = noise.brightness;
     m_noiseTexton = noiseOf(shown);
-    updateKept();
+    if (!sameLook)
+        m_keptNoiseTexton = noiseOf(m_kept);
     emit noiseTextonChanged();
 }
 
@@ -318,10 +319,6 @@ Pipeline::noiseOf(const std::shared_ptr<const TextonResult>& result) const {
         adjusted(result->texton, result->maps, noise.contrast, noise.brightness));
 }
 
-void Pipeline::updateKept() {
-    m_keptNoiseTexton = noiseOf(m_kept);
-}
-
 std::shared_ptr<const Texton> Pipeline::presentNoiseTexton() const {
     return isShowingKept() ? noiseOf(m_texton.value) : m_noiseTexton;
 }
@@ -332,21 +329,21 @@ void Pipeline::dropKeptOfOthers() {
     if (!m_kept || (m_keptOf.first == project.source && m_keptOf.second == project.importedTexton))
         return;
     m_kept.reset();
+    m_keptNoiseTexton.reset();
     showKept(false);
 }
 
 void Pipeline::keepTexton() {
     if (m_finishedTexton) {
         m_kept = m_finishedTexton;
+        m_keptNoiseTexton = noiseOf(m_kept);
         m_keptOf = {m_document.project().source, m_document.project().importedTexton};
     }
-    updateKept();
     showKept(false);
 }
 
 void Pipeline::showKept(bool kept) {
     m_showKept = kept && m_kept;
-    updateKept();
     updateNoiseTexton();
     emit stateChanged();
 }

@@ -40,13 +40,13 @@ class Pipeline : public QObject {
     std::shared_ptr<const AnalysisResult> analysis() const { return m_analysis.value; }
     std::shared_ptr<const TriangleMesh> mesh() const { return m_mesh.value; }
 
-    /// shownTexton() with the noise's contrast and brightness: what noise is made of, on screen and
-    /// in exports.
+    /// shownTexton() with the noise's contrast and brightness: what noise on screen is made
+    /// of.
     std::shared_ptr<const Texton> noiseTexton() const { return m_noiseTexton; }
 
     /// What noiseTexton() was made of: shownTexton(), or the one before it for an instant.
     std::shared_ptr<const TextonResult> noiseTextonSource() const { return m_noiseTextonOf; }
-    /// The same of texton(), whatever is shown: for exports.
+    /// texton() with the noise's contrast and brightness, whatever is shown: for exports.
     std::shared_ptr<const Texton> presentNoiseTexton() const;
 
     /// Whether what is shown is not (yet) what the project asks for.
@@ -81,7 +81,6 @@ class Pipeline : public QObject {
     void updateAnalysis();
     void updateMesh();
     void updateNoiseTexton();
-    void updateKept();
     void dropKeptOfOthers();
     std::shared_ptr<const Texton> noiseOf(const std::shared_ptr<const TextonResult>& result) const;
     void fail(const Error& error);

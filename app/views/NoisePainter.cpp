@@ -102,7 +102,7 @@ void NoisePainter::show(const NoiseRequest& request) {
     }
 }
 
-/// Normals are drawn as slopes; a material's fourth channel is no transparency.
+/// Normals are drawn as slopes.
 Image NoisePainter::finished(Image drawn) const {
     if (m_drawnMap && isNormal(m_maps[*m_drawnMap].kind))
         return normalsOfSlopes(drawn, m_maps[*m_drawnMap].kind == MapKind::NormalYDown);
@@ -184,6 +184,7 @@ Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& reques
             return ok.error();
         m_context->finish();
     }
+    // A material's fourth channel is no transparency.
     const int channels = m_relief ? kColors : m_shownTexton->channels();
     return std::optional<Image>(finished(m_target.read(channels, m_shownTexton->transfer)));
 }

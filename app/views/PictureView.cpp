@@ -26,12 +26,6 @@ constexpr double kLightPerPixel = 0.006;
 constexpr double kWheelStep = 1.189207115002721; // 2^(1/4)
 constexpr double kHighestPitch = 1.55;
 
-std::optional<std::size_t> mapNamed(const MaterialMaps& maps, const QString& name) {
-    const auto it = std::ranges::find(maps, name.toStdString(), &MaterialMap::name);
-    return it == maps.end() ? std::nullopt
-                            : std::optional(static_cast<std::size_t>(it - maps.begin()));
-}
-
 } // namespace
 
 PictureView::PictureView(ProjectDocument& document,
@@ -49,8 +43,7 @@ PictureView::PictureView(ProjectDocument& document,
     setWhatsThis(
         tr("A picture. The wheel zooms where the mouse is, the middle button or Space moves "
            "it, F shows it whole. Hold ` to see the exemplar instead. The right button moves the "
-           "light "
-           "of a material."));
+           "light of a material."));
     connectTitle();
     connect(m_feed, &NoiseFeed::frameReady, this, [this] {
         update();
@@ -128,7 +121,7 @@ std::shared_ptr<const Texton> PictureView::noiseTexton() const {
 bool PictureView::showsMaterial() const {
     const auto texton = this->texton();
     return picture() == Picture::Noise && texton && !texton->maps.empty() &&
-           !mapNamed(texton->maps, m_document.project().noise.map);
+           !findMap(texton->maps, m_document.project().noise.map.toStdString());
 }
 
 /// Null where there is no such picture (yet), and for the noise.
@@ -136,7 +129,8 @@ std::shared_ptr<const PicturePyramid> PictureView::pyramidOf(Picture picture) co
     const auto exemplar = m_pipeline.exemplar();
     // Of a stack, the map that is shown, or the first one.
     const auto pictureOf = [&](const auto& result, const MaterialMaps& maps) {
-        const std::size_t map = mapNamed(maps, m_document.project().noise.map).value_or(0);
+        const std::size_t map =
+            findMap(maps, m_document.project().noise.map.toStdString()).value_or(0);
         return std::shared_ptr<const PicturePyramid>(
             result,
             &result->pictures[std::min(map, result->pictures.size() - 1)]);
@@ -234,7 +228,7 @@ void PictureView::requestNoise() {
         if (const auto of =
                 showsKept() ? m_pipeline.keptTexton() : m_pipeline.noiseTextonSource()) {
             request.maps = of->maps;
-            request.map = mapNamed(of->maps, project.noise.map);
+            request.map = findMap(of->maps, project.noise.map.toStdString());
         }
         request.style.light = project.noise.light;
         const bool onMesh =

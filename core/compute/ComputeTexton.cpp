@@ -37,8 +37,7 @@ class Computation {
         params.support = m_params.support;
         params.interpolationOrder = m_params.interpolationOrder;
         params.seed = m_params.seed;
-        if (!m_exemplar.maps.empty())
-            params.channelWeights = channelWeights(m_exemplar);
+        params.channelWeights = channelWeights(m_exemplar);
         const int most = mostTrialKernels(m_model.channels());
         const double trials = m_params.kernels ? 0.0 : workOfAll(most);
         std::vector<double> trialErrors;

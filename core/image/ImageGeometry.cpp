@@ -109,6 +109,21 @@ Result<Image> crop(const Image& image, const Rect& rect) {
     return result;
 }
 
+Image middlePart(const Image& image, Size atMost) {
+    const Size size{std::min(image.width(), atMost.width), std::min(image.height(), atMost.height)};
+    // It lies inside.
+    return *crop(image,
+                 {(image.width() - size.width) / 2, (image.height() - size.height) / 2, size});
+}
+
+std::pair<Image, Image> halves(const Image& image, bool leftRight) {
+    const Size size = leftRight ? Size{image.width() / 2, image.height()}
+                                : Size{image.width(), image.height() / 2};
+    // Both lie inside.
+    return {*crop(image, {0, 0, size}),
+            *crop(image, {image.width() - size.width, image.height() - size.height, size})};
+}
+
 Result<Image>
 rotated(const Image& image, double degreesCounterClockwise, const CancelToken& cancel) {
     if (!std::isfinite(degreesCounterClockwise))

@@ -5,11 +5,20 @@
 #include "core/base/Result.h"
 #include "core/image/Image.h"
 
+#include <utility>
+
 namespace txn {
 
 /// The part of the image inside rect. Errors: InvalidArgument where rect is empty or not wholly
 /// inside.
 [[nodiscard]] Result<Image> crop(const Image& image, const Rect& rect);
+
+/// The middle of the image, no larger than that.
+[[nodiscard]] Image middlePart(const Image& image, Size atMost);
+
+/// Left and right, or top and bottom; the middle line of an odd side is left out. At least 2 pixels
+/// along that side.
+[[nodiscard]] std::pair<Image, Image> halves(const Image& image, bool leftRight);
 
 /// The image turned about its center and cropped to the largest upright rectangle that lies wholly
 /// inside the turned picture. Multiples of 90 degrees move samples and change none; other angles

@@ -113,6 +113,10 @@ Image mapPicture(const Image& stack, const MaterialMaps& maps, std::size_t map) 
     return isNormal(of.kind) ? normalsOfSlopes(part, of.kind == MapKind::NormalYDown) : part;
 }
 
+Image firstPicture(const Image& image, const MaterialMaps& maps) {
+    return maps.empty() ? image : mapPicture(image, maps, 0);
+}
+
 void turnSlopes(Image& stack, const MaterialMaps& maps, double degreesCounterClockwise) {
     const double angle = degreesCounterClockwise * std::numbers::pi / 180.0;
     const auto c = static_cast<float>(std::cos(angle));

@@ -32,6 +32,9 @@ struct MapStack {
 /// unit normals again, in their own convention.
 [[nodiscard]] Image mapPicture(const Image& stack, const MaterialMaps& maps, std::size_t map);
 
+/// What stands for the whole: the picture itself where there are no maps, else the first one's.
+[[nodiscard]] Image firstPicture(const Image& image, const MaterialMaps& maps);
+
 /// The slopes in the stack turned with it, counter-clockwise as `rotated` does.
 void turnSlopes(Image& stack, const MaterialMaps& maps, double degreesCounterClockwise);
 

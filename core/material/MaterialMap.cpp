@@ -140,11 +140,23 @@ int channelCount(const MaterialMaps& maps) {
     return firstChannel(maps, maps.size());
 }
 
-std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind) {
-    const auto it =
-        std::find_if(maps.begin(), maps.end(), [&](const auto& m) { return m.kind == kind; });
+namespace {
+
+template <class Test>
+std::optional<std::size_t> indexOf(const MaterialMaps& maps, Test test) {
+    const auto it = std::find_if(maps.begin(), maps.end(), test);
     return it == maps.end() ? std::nullopt
                             : std::optional(static_cast<std::size_t>(it - maps.begin()));
+}
+
+} // namespace
+
+std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind) {
+    return indexOf(maps, [kind](const MaterialMap& map) { return map.kind == kind; });
+}
+
+std::optional<std::size_t> findMap(const MaterialMaps& maps, std::string_view name) {
+    return indexOf(maps, [name](const MaterialMap& map) { return map.name == name; });
 }
 
 namespace {

@@ -55,8 +55,9 @@ using MaterialMaps = std::vector<MaterialMap>;
 /// Where the map's channels begin.
 [[nodiscard]] int firstChannel(const MaterialMaps& maps, std::size_t map);
 [[nodiscard]] int channelCount(const MaterialMaps& maps);
-/// The first map of the kind.
+/// The first map of the kind, or the one of the name.
 [[nodiscard]] std::optional<std::size_t> findMap(const MaterialMaps& maps, MapKind kind);
+[[nodiscard]] std::optional<std::size_t> findMap(const MaterialMaps& maps, std::string_view name);
 /// A name for each channel of the stack, such as "color.R", "normal.X" or "height".
 [[nodiscard]] std::vector<std::string> channelNames(const MaterialMaps& maps);
 /// The same of its pictures: "normal.R", "normal.G", "normal.B".

@@ -22,16 +22,10 @@ int mostLag(int channels) {
 /// |C_1 - C_2| of the two halves.
 double
 betweenHalves(const Image& image, bool leftRight, int lag, const std::vector<double>& weights) {
-    const int half = leftRight ? image.width() / 2 : image.height() / 2;
-    const Size size = leftRight ? Size{half, image.height()} : Size{image.width(), half};
-    const int x = leftRight ? image.width() - half : 0;
-    const int y = leftRight ? 0 : image.height() - half;
-    // Both lie inside.
-    const auto first = crop(image, {0, 0, size});
-    const auto second = crop(image, {x, y, size});
-    return autocovariance(*first, lag)
+    const auto [first, second] = halves(image, leftRight);
+    return autocovariance(first, lag)
         .weighted(weights)
-        .distance(autocovariance(*second, lag).weighted(weights), lag);
+        .distance(autocovariance(second, lag).weighted(weights), lag);
 }
 
 double floorOf(const Image& image, int lag, const std::vector<double>& weights, double norm) {

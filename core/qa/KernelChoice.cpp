@@ -28,15 +28,15 @@ Result<KernelChoice> chooseKernels(const Exemplar& exemplar,
     const Image& image = exemplar.image;
     const Size support = params.support.size();
     const bool leftRight = image.width() >= image.height();
-    const Size half = leftRight ? Size{image.width() / 2, image.height()}
-                                : Size{image.width(), image.height() / 2};
+    if (std::min(image.width(), image.height()) < 2)
+        return KernelChoice{};
+    auto [training, rest] = halves(image, leftRight);
+    const Size half = rest.size();
     const int lag = std::min(support.width, support.height) / 2;
     if (half.width < support.width || half.height < support.height)
         return KernelChoice{}; // nothing to try on
-    auto training = crop(image, {0, 0, half});
-    const auto rest = crop(image, {image.width() - half.width, image.height() - half.height, half});
-    const GaussianModel model(Exemplar{std::move(*training), exemplar.name}, periodic);
-    const auto unseen = autocovariance(*rest, std::min(lag, std::min(half.width, half.height) - 1));
+    const GaussianModel model(Exemplar{std::move(training), exemplar.name}, periodic);
+    const auto unseen = autocovariance(rest, std::min(lag, std::min(half.width, half.height) - 1));
 
     const auto weighted = [&](const Autocovariance& covariance) {
         return params.channelWeights.empty() ? covariance

@@ -16,17 +16,11 @@ namespace {
 
 constexpr std::array kSides{16, 24, 32, 48, 64, 96, 128, 192, 256};
 constexpr double kSmallEnough = 0.2;
-constexpr int kLargestPart = 1024;
+constexpr Size kLargestPart{1024, 1024};
 /// A covariance of many channels at many lags takes much memory.
 constexpr int kManyChannels = 4;
 constexpr int kLongestLag = 176;
 constexpr int kLongestLagOfMany = 88;
-
-Image middle(const Image& image) {
-    const Size size{std::min(image.width(), kLargestPart), std::min(image.height(), kLargestPart)};
-    return *crop(image,
-                 {(image.width() - size.width) / 2, (image.height() - size.height) / 2, size});
-}
 
 /// Sums of squares over the lags with max(|dx|, |dy|) = ring.
 template <class Value>
@@ -49,7 +43,7 @@ std::vector<double> ringSums(const Autocovariance& like, Value value) {
 } // namespace
 
 Result<SupportSuggestion> suggestSupport(const Exemplar& exemplar) {
-    const Image image = middle(exemplar.image);
+    const Image image = middlePart(exemplar.image, kLargestPart);
     const int shorter = std::min(image.width(), image.height());
     if (shorter < 2 * kSides.front())
         return Error{ErrorCode::SizeMismatch,
@@ -63,14 +57,9 @@ Result<SupportSuggestion> suggestSupport(const Exemplar& exemplar) {
         return Error{ErrorCode::Degenerate,
                      "the exemplar is one flat colour: there is no texture to summarise"};
     for (const bool leftRight : {true, false}) {
-        const Size half = leftRight ? Size{image.width() / 2, image.height()}
-                                    : Size{image.width(), image.height() / 2};
-        const auto first = autocovariance(*crop(image, {0, 0, half}), lag).weighted(weights);
-        const auto second =
-            autocovariance(
-                *crop(image, {image.width() - half.width, image.height() - half.height, half}),
-                lag)
-                .weighted(weights);
+        const auto [one, other] = halves(image, leftRight);
+        const auto first = autocovariance(one, lag).weighted(weights);
+        const auto second = autocovariance(other, lag).weighted(weights);
         // Of the mean of two halves, half their difference is chance; the two cuts count half each.
         const auto chance = ringSums(all, [&](int i, int j, int dx, int dy) {
             return 0.5 * (first.at(i, j, dx, dy) - second.at(i, j, dx, dy));

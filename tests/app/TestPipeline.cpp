@@ -55,7 +55,7 @@ class TestPipeline : public QObject {
         QTRY_VERIFY(studio.isDone());
         const auto exemplar = studio.pipeline.exemplar();
         QCOMPARE(exemplar->exemplar.image.size(), (Size{128, 96}));
-        QCOMPARE(studio.pipeline.gaussian()->image.size(), (Size{128, 96}));
+        QCOMPARE(studio.pipeline.gaussian()->pictures.front().image().size(), (Size{128, 96}));
         QTRY_VERIFY(studio.pipeline.verdict() != nullptr);
 
         // The texton is the one of the core, by the same settings.
@@ -130,7 +130,7 @@ class TestPipeline : public QObject {
 
         studio.document.change("Crop", [](Project& p) { p.edit.crop = Rect{10, 10, {64, 64}}; });
         QTRY_VERIFY(studio.isDone() && studio.pipeline.exemplar() != exemplar);
-        QCOMPARE(studio.pipeline.gaussian()->image.size(), (Size{64, 64}));
+        QCOMPARE(studio.pipeline.gaussian()->pictures.front().image().size(), (Size{64, 64}));
     }
 
     void theLastValueOfADragWins() {
