@@ -19,6 +19,7 @@ struct Session {
 void addCompute(CLI::App& app, Session& session);
 void addGaussian(CLI::App& app, Session& session);
 void addPeriodic(CLI::App& app, Session& session);
+void addMix(CLI::App& app, Session& session);
 void addNoise(CLI::App& app, Session& session);
 void addRender(CLI::App& app, Session& session);
 void addCompare(CLI::App& app, Session& session);

@@ -67,6 +67,26 @@ void addSolveOptions(CLI::App& app, SolveOptions& options) {
                  "Leave the colours as the iteration found them");
 }
 
+Result<ComputeParams> computeParams(const SolveOptions& options, Size support, Size domain) {
+    const bool disc = options.shape == "disc";
+    if (disc && support.width != support.height)
+        return Error{ErrorCode::InvalidArgument, "a disc needs one number for --support"};
+    ComputeParams params;
+    params.method = options.method == "fit" ? TextonMethod::Fit : TextonMethod::Projections;
+    params.support = Support::rectangle(support);
+    // A disc that does not fit is refused later for its size, before its mask takes any memory.
+    if (disc && support.width <= std::min(domain.width, domain.height))
+        params.support = Support::disc(support.width);
+    params.interpolationOrder = options.order;
+    if (options.kernels != "auto")
+        params.kernels = std::stoi(options.kernels);
+    params.iterations = options.iterations;
+    params.momentum = options.momentum;
+    params.seed.value = options.seed;
+    params.colorCorrection = !options.noColorCorrection;
+    return params;
+}
+
 Result<Solved> solve(const Exemplar& exemplar,
                      const GaussianModel& model,
                      const SolveOptions& options,
@@ -81,28 +101,14 @@ Result<Solved> solve(const Exemplar& exemplar,
         result.suggestion = *suggestion;
         support = {suggestion->side, suggestion->side};
     }
-    const bool disc = options.shape == "disc";
-    if (disc && support.width != support.height)
-        return Error{ErrorCode::InvalidArgument, "a disc needs one number for --support"};
-    ComputeParams params;
-    params.method = options.method == "fit" ? TextonMethod::Fit : TextonMethod::Projections;
-    params.support = Support::rectangle(support);
-    const Size domain = model.domain();
-    // A disc that does not fit is refused below for its size, before its mask takes any memory.
-    if (disc && support.width <= std::min(domain.width, domain.height))
-        params.support = Support::disc(support.width);
-    params.interpolationOrder = options.order;
-    if (options.kernels != "auto")
-        params.kernels = std::stoi(options.kernels);
-    params.iterations = options.iterations;
-    params.momentum = options.momentum;
-    params.seed.value = options.seed;
-    params.colorCorrection = !options.noColorCorrection;
+    const auto params = computeParams(options, support, model.domain());
+    if (!params)
+        return params.error();
     ProgressBar bar("Computing the texton");
     auto computed = computeTexton(
         exemplar,
         model,
-        params,
+        *params,
         [&](const ComputeProgress& now) { bar.update(now.share); },
         cancel);
     if (!computed)

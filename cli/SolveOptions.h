@@ -27,6 +27,11 @@ struct SolveOptions {
 
 void addSolveOptions(CLI::App& app, SolveOptions& options);
 
+/// What they ask for, with a support of that size for exemplars on that domain. Errors:
+/// InvalidArgument for a disc that is not round.
+[[nodiscard]] Result<ComputeParams>
+computeParams(const SolveOptions& options, Size support, Size domain);
+
 /// What `compute` reports of a texton.
 struct Solved {
     ComputedTexton computed;
@@ -36,7 +41,7 @@ struct Solved {
 };
 
 /// Computes the texton of the exemplar, whose model is given, with a progress bar. Errors: those of
-/// computeTexton and suggestSupport; InvalidArgument for a disc that is not round; Cancelled.
+/// computeTexton, suggestSupport and computeParams; Cancelled.
 [[nodiscard]] Result<Solved> solve(const Exemplar& exemplar,
                                    const GaussianModel& model,
                                    const SolveOptions& options,

@@ -70,6 +70,7 @@ int run(int argc, char** argv, txn::cli::Session& session) {
                "'texton SUBCOMMAND --help' explains each one.");
     txn::cli::addCompute(app, session);
     txn::cli::addNoise(app, session);
+    txn::cli::addMix(app, session);
     txn::cli::addGaussian(app, session);
     txn::cli::addPeriodic(app, session);
     txn::cli::addSheet(app, session);

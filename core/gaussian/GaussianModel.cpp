@@ -50,6 +50,14 @@ GaussianModel::GaussianModel(const Image& spot, std::vector<double> mean)
     computeCovariance();
 }
 
+GaussianModel::GaussianModel(std::vector<HalfSpectrum> spot,
+                             std::vector<double> mean,
+                             Transfer transfer)
+    : m_domain(spot.front().imageSize()), m_transfer(transfer), m_mean(std::move(mean)),
+      m_spot(std::move(spot)) {
+    computeCovariance();
+}
+
 void GaussianModel::computeCovariance() {
     const int count = channels();
     const int blocks = HalfSpectrum::blocksFor(m_domain.width);

@@ -19,6 +19,8 @@ class GaussianModel {
     explicit GaussianModel(const Exemplar& exemplar, bool periodic = true);
     /// From a spot given directly: H x W x C, its mean need not be zero and does not count.
     GaussianModel(const Image& spot, std::vector<double> mean);
+    /// From the spot's spectra, all of one size: C of them, zero at frequency 0, and C means.
+    GaussianModel(std::vector<HalfSpectrum> spot, std::vector<double> mean, Transfer transfer);
 
     /// Whether it is that of an exemplar's periodic component.
     bool isPeriodicComponent() const { return m_periodicComponent; }

@@ -16,6 +16,7 @@ struct Impulse {
     double y = 0.0;
     float sign = 1.0F;
     int kernel = 0;
+    std::uint32_t choice = 0; ///< 10 random bits: see TextonField
 };
 
 /// Poisson(1) distributed count from 32 uniform bits: how many of the thresholds
@@ -98,7 +99,8 @@ class ImpulseProcess {
             visit(Impulse{(cellX + u) * m_cellWidth,
                           (cellY + v) * m_cellHeight,
                           m_process != NoiseProcess::Poisson && (h[2] >> 31U) != 0 ? -1.0F : 1.0F,
-                          static_cast<int>(((h[3] >> 16U) * m_kernelCount) >> 16U)});
+                          static_cast<int>(((h[3] >> 16U) * m_kernelCount) >> 16U),
+                          (h[3] & 0xffffU) >> 6U});
         }
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/noise/NoiseGrid.h"
 
+#include "core/noise/MixedProcess.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tbb/blocked_range2d.h>
@@ -12,14 +14,6 @@ namespace {
 
 std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
-
-bool isFinite(const Texton& texton) {
-    const auto finite = [](auto v) { return std::isfinite(v); };
-    return std::all_of(texton.mean.begin(), texton.mean.end(), finite) &&
-           std::all_of(texton.kernels.begin(), texton.kernels.end(), [&](const Image& kernel) {
-               return std::all_of(kernel.samples().begin(), kernel.samples().end(), finite);
-           });
 }
 
 /// Copies the common part of a tile and the rectangle.
@@ -42,18 +36,19 @@ void copyOverlap(
 
 } // namespace
 
-Result<NoiseGrid> NoiseGrid::create(const Texton& texton, const NoiseParams& params, double scale) {
-    if (const auto ok = checkNoiseParams(params); !ok)
+Result<NoiseGrid> NoiseGrid::create(Mixture mixture, const NoiseParams& params, double scale) {
+    if (const auto ok = checkMixedNoise(mixture, params); !ok)
         return ok.error();
     if (!(scale >= kMinScale && scale <= kMaxScale))
         return Error{ErrorCode::InvalidArgument, "the scale must be between 1/64 and 64"};
-    if (!isFinite(texton))
-        return Error{ErrorCode::Degenerate, "the texton holds values that are not numbers"};
+    const int channels = mixture.textons.front().channels();
+    const Transfer transfer = mixture.textons.front().transfer;
     // At exactly one output pixel per exemplar pixel the cheap convolution applies.
     const bool unit = std::abs(scale - 1.0) < 1e-12;
-    return NoiseGrid(unit ? makeConvolutionEvaluator(texton, params)
-                          : makeScaledEvaluator(texton, params, scale),
-                     texton,
+    return NoiseGrid(unit ? makeConvolutionEvaluator(std::move(mixture), params)
+                          : makeScaledEvaluator(std::move(mixture), params, scale),
+                     channels,
+                     transfer,
                      scale);
 }
 

@@ -7,19 +7,18 @@
 
 namespace txn {
 
-/// Texton noise on the pixels of the plane. Any rectangle may be asked for, near the origin or far
-/// away; a pixel has the same bits whichever rectangle it is part of and however many threads work.
-/// scale: output pixels per exemplar pixel, 1/64 to 64; pixel n covers [n, n + 1) / scale.
-/// Const members are thread-safe.
+/// Noise of a texton or a mixture on the pixels of the plane. Any rectangle may be asked for, near
+/// the origin or far away; a pixel has the same bits whichever rectangle it is part of and however
+/// many threads work. scale: output pixels per exemplar pixel, 1/64 to 64; pixel n covers [n, n +
+/// 1) / scale. Const members are thread-safe.
 class NoiseGrid {
   public:
     static constexpr double kMinScale = 1.0 / 64.0;
     static constexpr double kMaxScale = 64.0;
 
-    /// Errors: InvalidArgument for parameters or a scale out of range, or coefficients that are not
-    /// finite.
+    /// Errors: those of checkMixedNoise; InvalidArgument for a scale out of range.
     [[nodiscard]] static Result<NoiseGrid>
-    create(const Texton& texton, const NoiseParams& params, double scale = 1.0);
+    create(Mixture mixture, const NoiseParams& params, double scale = 1.0);
 
     int channels() const { return m_channels; }
     Transfer transfer() const { return m_transfer; }
@@ -31,9 +30,12 @@ class NoiseGrid {
     [[nodiscard]] Result<Image> render(const Rect& rect, const CancelToken& cancel = {}) const;
 
   private:
-    NoiseGrid(std::unique_ptr<TileEvaluator> evaluator, const Texton& texton, double scale)
-        : m_evaluator(std::move(evaluator)), m_channels(texton.channels()),
-          m_transfer(texton.transfer), m_scale(scale) {}
+    NoiseGrid(std::unique_ptr<TileEvaluator> evaluator,
+              int channels,
+              Transfer transfer,
+              double scale)
+        : m_evaluator(std::move(evaluator)), m_channels(channels), m_transfer(transfer),
+          m_scale(scale) {}
 
     std::unique_ptr<TileEvaluator> m_evaluator;
     int m_channels;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/AlignedBuffer.h"
 #include "core/base/Simd.h"
-#include "core/noise/Normalization.h"
+#include "core/noise/MixedProcess.h"
 #include "core/noise/TileEvaluator.h"
 #include "core/spectral/BSpline.h"
 
@@ -37,10 +37,8 @@ void addScaled(const float* in, float factor, float* out, std::size_t count) {
 
 class ScaledEvaluator final : public TileEvaluator {
   public:
-    ScaledEvaluator(const Texton& texton, const NoiseParams& params, double scale)
-        : m_texton(texton), m_scale(scale),
-          m_impulses(params, texton.footprint(), texton.kernelCount()),
-          m_normalization(normalization(texton, m_impulses)) {}
+    ScaledEvaluator(Mixture mixture, const NoiseParams& params, double scale)
+        : m_process(std::move(mixture), params), m_scale(scale) {}
 
     Size tileSize() const override { return {kTileSide, kTileSide}; }
 
@@ -50,39 +48,45 @@ class ScaledEvaluator final : public TileEvaluator {
                   const CancelToken& cancel) const override {
         const std::int64_t left = tileX * kTileSide;
         const std::int64_t top = tileY * kTileSide;
-        const Size footprint = m_texton.footprint();
+        const Size footprint = m_process.first().footprint();
         std::fill(tile.samples().begin(), tile.samples().end(), 0.0F);
         Axis horizontal;
         Axis vertical;
         std::vector<float> rows;
-        m_impulses.visit(static_cast<double>(left) / m_scale - footprint.width,
-                         static_cast<double>(top) / m_scale - footprint.height,
-                         static_cast<double>(left + kTileSide) / m_scale,
-                         static_cast<double>(top + kTileSide) / m_scale,
-                         [&](const Impulse& impulse) {
-                             if (cancel.cancelled())
-                                 return;
-                             const Size support = m_texton.support.size();
-                             fillAxis(impulse.x, left, support.width, horizontal);
-                             fillAxis(impulse.y, top, support.height, vertical);
-                             if (!horizontal.bands.empty() && !vertical.bands.empty())
-                                 add(impulse, horizontal, vertical, rows, tile);
-                         });
-        for (int c = 0; c < tile.channels(); ++c) {
-            const double offset = m_normalization.offset[static_cast<std::size_t>(c)];
-            for (float& v : tile.plane(c))
-                v = static_cast<float>(offset + m_normalization.gain * static_cast<double>(v));
-        }
+        m_process.impulses().visit(static_cast<double>(left) / m_scale - footprint.width,
+                                   static_cast<double>(top) / m_scale - footprint.height,
+                                   static_cast<double>(left + kTileSide) / m_scale,
+                                   static_cast<double>(top + kTileSide) / m_scale,
+                                   [&](const Impulse& impulse) {
+                                       if (cancel.cancelled())
+                                           return;
+                                       const Size support = m_process.first().support.size();
+                                       fillAxis(impulse.x, left, support.width, horizontal);
+                                       fillAxis(impulse.y, top, support.height, vertical);
+                                       if (!horizontal.bands.empty() && !vertical.bands.empty())
+                                           add(impulse, horizontal, vertical, rows, tile);
+                                   });
+        const auto gain = static_cast<float>(m_process.gain());
+        for (float& v : tile.samples())
+            v *= gain;
+        m_process.addMean(centres(left), centres(top), tile);
     }
 
   private:
+    std::vector<double> centres(std::int64_t first) const {
+        std::vector<double> result(kTileSide);
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = (static_cast<double>(first) + static_cast<double>(i) + 0.5) / m_scale;
+        return result;
+    }
+
     /// Bands of the tile's pixels that the footprint at position overlaps; count coefficients.
     void fillAxis(double position, std::int64_t tileStart, int count, Axis& axis) const {
         axis.bands.clear();
         axis.weights.clear();
-        const int order = m_texton.interpolationOrder;
+        const int order = m_process.first().interpolationOrder;
         const double half = 0.5 * (order + 1);
-        const double corner = position + m_texton.frame() + 0.5;
+        const double corner = position + m_process.first().frame() + 0.5;
         // Pixels further out see nothing of the kernel.
         const double begin = (corner - half) * m_scale - static_cast<double>(tileStart) - 1.0;
         const double end =
@@ -119,7 +123,9 @@ class ScaledEvaluator final : public TileEvaluator {
              const Axis& vertical,
              std::vector<float>& rows,
              Image& tile) const {
-        const Image& kernel = m_texton.kernels[static_cast<std::size_t>(impulse.kernel)];
+        const Image& kernel =
+            m_process.textons()[static_cast<std::size_t>(m_process.textonOf(impulse))]
+                .kernels[static_cast<std::size_t>(impulse.kernel)];
         const int firstRow = vertical.bands.front().first;
         const int lastRow = vertical.bands.back().first + vertical.bands.back().count - 1;
         const std::size_t width = horizontal.bands.size();
@@ -149,17 +155,15 @@ class ScaledEvaluator final : public TileEvaluator {
         }
     }
 
-    Texton m_texton;
+    MixedProcess m_process;
     double m_scale;
-    ImpulseProcess m_impulses;
-    Normalization m_normalization;
 };
 
 } // namespace
 
 std::unique_ptr<TileEvaluator>
-makeScaledEvaluator(const Texton& texton, const NoiseParams& params, double scale) {
-    return std::make_unique<ScaledEvaluator>(texton, params, scale);
+makeScaledEvaluator(Mixture mixture, const NoiseParams& params, double scale) {
+    return std::make_unique<ScaledEvaluator>(std::move(mixture), params, scale);
 }
 
 } // namespace txn

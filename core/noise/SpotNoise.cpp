@@ -29,24 +29,24 @@ double kernelValue(const Texton& texton, int kernel, int channel, double x, doub
     return sum;
 }
 
-SpotNoise::SpotNoise(Texton texton, const NoiseParams& params)
-    : m_texton(std::move(texton)), m_impulses(params, m_texton.footprint(), m_texton.kernelCount()),
-      m_normalization(normalization(m_texton, m_impulses)) {}
-
 void SpotNoise::evaluate(double x, double y, std::span<double> out) const {
-    assert(out.size() == m_texton.mean.size());
-    const Size footprint = m_texton.footprint();
-    const double corner = m_texton.frame() + 0.5;
+    assert(out.size() == static_cast<std::size_t>(m_process.channels()));
+    const Size footprint = m_process.first().footprint();
+    const double corner = m_process.first().frame() + 0.5;
     std::fill(out.begin(), out.end(), 0.0);
-    m_impulses.visit(x - footprint.width, y - footprint.height, x, y, [&](const Impulse& impulse) {
-        const double kx = x - impulse.x - corner;
-        const double ky = y - impulse.y - corner;
-        for (std::size_t c = 0; c < out.size(); ++c)
-            out[c] += static_cast<double>(impulse.sign) *
-                      kernelValue(m_texton, impulse.kernel, static_cast<int>(c), kx, ky);
-    });
+    m_process.impulses()
+        .visit(x - footprint.width, y - footprint.height, x, y, [&](const Impulse& impulse) {
+            const Texton& texton =
+                m_process.textons()[static_cast<std::size_t>(m_process.textonOf(impulse))];
+            const double kx = x - impulse.x - corner;
+            const double ky = y - impulse.y - corner;
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] += static_cast<double>(impulse.sign) *
+                          kernelValue(texton, impulse.kernel, static_cast<int>(c), kx, ky);
+        });
+    const auto mean = m_process.meanAt(x, y);
     for (std::size_t c = 0; c < out.size(); ++c)
-        out[c] = m_normalization.offset[c] + m_normalization.gain * out[c];
+        out[c] = mean[c] + m_process.gain() * out[c];
 }
 
 } // namespace txn

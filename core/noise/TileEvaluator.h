@@ -3,8 +3,8 @@
 
 #include "core/base/CancelToken.h"
 #include "core/image/Image.h"
+#include "core/mixing/Mixture.h"
 #include "core/noise/NoiseParams.h"
-#include "core/texton/Texton.h"
 
 #include <cstdint>
 #include <memory>
@@ -28,16 +28,16 @@ class TileEvaluator {
                           const CancelToken& cancel) const = 0;
 };
 
-/// For one output pixel per exemplar pixel: impulses are splatted once with the B-spline and
-/// convolved with the coefficients by FFT, tile by tile (overlap-save). The cost depends neither on
-/// the MNI nor, much, on the support.
-[[nodiscard]] std::unique_ptr<TileEvaluator> makeConvolutionEvaluator(const Texton& texton,
+/// For one output pixel per exemplar pixel: the impulses of each kernel are splatted once with the
+/// B-spline and convolved with its coefficients by FFT, tile by tile (overlap-save); textons that a
+/// tile does not use cost nothing. The cost depends neither on the MNI nor, much, on the support.
+[[nodiscard]] std::unique_ptr<TileEvaluator> makeConvolutionEvaluator(Mixture mixture,
                                                                       const NoiseParams& params);
 
 /// For any scale (output pixels per exemplar pixel): every impulse adds its interpolated kernel.
 /// Above 1 the noise is sampled at the pixel centres; below 1 each pixel is the exact mean of the
 /// noise over its area, by integrated B-splines. The cost is proportional to the MNI.
 [[nodiscard]] std::unique_ptr<TileEvaluator>
-makeScaledEvaluator(const Texton& texton, const NoiseParams& params, double scale);
+makeScaledEvaluator(Mixture mixture, const NoiseParams& params, double scale);
 
 } // namespace txn

@@ -5,6 +5,7 @@
 #include "core/spectral/BSpline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -341,6 +342,28 @@ std::vector<double> CovarianceObjective::start(Seed seed) const {
     const double scale = std::sqrt(m_targetTrace / trace);
     for (double& v : gamma)
         v *= scale;
+    return gamma;
+}
+
+bool CovarianceObjective::fits(const Texton& texton) const {
+    return texton.support == m_shape.support && texton.kernelCount() == m_shape.kernels &&
+           texton.interpolationOrder == m_shape.interpolationOrder &&
+           texton.mean.size() == m_mean.size();
+}
+
+std::vector<double> CovarianceObjective::variablesOf(const Texton& texton) const {
+    assert(fits(texton));
+    std::vector<double> gamma;
+    gamma.reserve(variables());
+    for (const Image& kernel : texton.kernels) {
+        for (std::size_t c = 0; c < m_mean.size(); ++c) {
+            const auto plane = kernel.plane(static_cast<int>(c));
+            for (std::size_t k = 0; k < plane.size(); ++k)
+                gamma.push_back(m_taper[k] > 0.0F
+                                    ? m_weights[c] * static_cast<double>(plane[k] / m_taper[k])
+                                    : 0.0);
+        }
+    }
     return gamma;
 }
 

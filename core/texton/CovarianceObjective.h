@@ -53,6 +53,11 @@ class CovarianceObjective {
     /// White noise whose kernels have the exemplar's total variance.
     [[nodiscard]] std::vector<double> start(Seed seed) const;
 
+    /// The other way round from texton(); what lies where e is 0 is lost. fits(texton) is required.
+    [[nodiscard]] std::vector<double> variablesOf(const Texton& texton) const;
+    /// Whether it has this support, order and number of kernels and channels.
+    [[nodiscard]] bool fits(const Texton& texton) const;
+
     /// The kernels of gamma in the exemplar's own units, without colour correction.
     [[nodiscard]] Texton texton(std::span<const double> gamma) const;
 

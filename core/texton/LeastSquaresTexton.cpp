@@ -69,7 +69,11 @@ Result<Texton> fitTexton(const GaussianModel& model,
     if (!objective)
         return objective.error();
 
-    std::vector<double> gamma = objective->start(params.seed);
+    if (params.start && !objective->fits(*params.start))
+        return Error{ErrorCode::SizeMismatch,
+                     "the kernels to begin with do not have the shape of those to be found"};
+    std::vector<double> gamma =
+        params.start ? objective->variablesOf(*params.start) : objective->start(params.seed);
     lbfgs_parameter_t settings;
     lbfgs_parameter_init(&settings);
     settings.m = kMemory;

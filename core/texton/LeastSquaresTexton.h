@@ -7,6 +7,7 @@
 #include "core/gaussian/GaussianModel.h"
 #include "core/texton/TextonProgress.h"
 
+#include <optional>
 #include <vector>
 
 namespace txn {
@@ -21,16 +22,18 @@ struct LeastSquaresParams {
     /// Factors on the channels inside the fit; empty: 1. For maps of different units, such as
     /// 1 / max(standard deviation, 1/255).
     std::vector<double> channelWeights;
+    /// Kernels to begin with, of the same shape and channels; unset: white noise.
+    std::optional<Texton> start;
 
     bool operator==(const LeastSquaresParams&) const = default;
 };
 
 /// Kernels whose noise has the exemplar's covariance up to lags of the support, by least squares:
-/// L-BFGS (memory 8) on CovarianceObjective from tapered white noise. Several kernels follow a
-/// covariance whose channels move independently, which one cannot. Asks cancel at every evaluation.
-/// Uses all cores of the calling task arena; the same bits for any number of them. Thread-safe.
-/// Errors: those of CovarianceObjective::create; InvalidArgument for iterations out of range;
-/// Cancelled.
+/// L-BFGS (memory 8) on CovarianceObjective, from tapered white noise unless told otherwise.
+/// Several kernels follow a covariance whose channels move independently, which one cannot. Asks
+/// cancel at every evaluation. Uses all cores of the calling task arena; the same bits for any
+/// number of them. Thread-safe. Errors: those of CovarianceObjective::create; InvalidArgument for
+/// iterations out of range; SizeMismatch for a start that does not fit; Cancelled.
 [[nodiscard]] Result<Texton> fitTexton(const GaussianModel& model,
                                        const LeastSquaresParams& params,
                                        const TextonObserver& observe = {},
