@@ -71,14 +71,19 @@ void addExemplarOptions(CLI::App& app, ExemplarOptions& options) {
 
 void addMaterialOptions(CLI::App& app, ExemplarOptions& options) {
     app.add_option("EXEMPLAR", options.path, "Picture of the material, unless --stack is given");
+    addStackOption(app, options);
+    addPreparation(app, options);
+}
+
+void addStackOption(CLI::App& app, ExemplarOptions& options) {
     app.add_option_function<std::vector<std::string>>(
-           "--stack",
+           options.stackOption,
            [&options](const std::vector<std::string>& texts) {
                for (const std::string& text : texts) {
                    const auto entry = parseStackEntry(text);
                    if (!entry)
                        throw CLI::ValidationError(
-                           "--stack",
+                           options.stackOption,
                            "'" + text +
                                "' is not of the form NAME=FILE, such as height=stone_h.png");
                    options.stack.push_back(*entry);
@@ -90,7 +95,6 @@ void addMaterialOptions(CLI::App& app, ExemplarOptions& options) {
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    addPreparation(app, options);
 }
 
 std::vector<std::filesystem::path> inputFiles(const ExemplarOptions& options) {
@@ -110,8 +114,9 @@ Result<Exemplar> loadExemplar(const ExemplarOptions& options) {
     const bool stack = !options.stack.empty();
     if (stack != options.path.empty())
         return Error{ErrorCode::InvalidArgument,
-                     stack ? "give a picture or --stack, not both"
-                           : "give a picture of the material, or its maps with --stack"};
+                     stack ? "give a picture or " + options.stackOption + ", not both"
+                           : "give a picture of the material, or its maps with " +
+                                 options.stackOption};
     if (stack && options.linear)
         return Error{ErrorCode::InvalidArgument,
                      "--linear is for pictures; the colors of a stack stay encoded"};

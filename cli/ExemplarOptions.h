@@ -21,8 +21,9 @@ struct StackEntry {
 
 /// The exemplar and how it is prepared, for all commands that start from a photograph.
 struct ExemplarOptions {
-    std::filesystem::path path;    ///< or
-    std::vector<StackEntry> stack; ///< registered maps of one material
+    std::filesystem::path path;          ///< or
+    std::vector<StackEntry> stack;       ///< registered maps of one material
+    std::string stackOption = "--stack"; ///< what that is called
     std::optional<Rect> crop;
     double rotate = 0.0;
     std::optional<double> flatten;
@@ -32,6 +33,9 @@ struct ExemplarOptions {
 void addExemplarOptions(CLI::App& app, ExemplarOptions& options);
 /// The same, for commands that take stacks as well: --stack instead of a picture.
 void addMaterialOptions(CLI::App& app, ExemplarOptions& options);
+
+/// That option alone.
+void addStackOption(CLI::App& app, ExemplarOptions& options);
 
 /// All files that are read.
 [[nodiscard]] std::vector<std::filesystem::path> inputFiles(const ExemplarOptions& options);

@@ -9,11 +9,14 @@
 #include "core/bake/Bake.h"
 #include "core/base/OutputFiles.h"
 #include "core/compute/MixSolver.h"
+#include "core/export/MixtureExport.h"
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace txn::cli {
 namespace {
@@ -61,48 +64,139 @@ Result<MixingMap> makeMap(const Options& options) {
     return map;
 }
 
+/// That nothing which is read is written over, and all can be written.
+Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
+    std::vector<std::filesystem::path> inputs = inputFiles(options.a);
+    std::ranges::copy(inputFiles(options.b), std::back_inserter(inputs));
+    if (options.map)
+        inputs.push_back(*options.map);
+    for (const auto& input : inputs) {
+        for (const auto& file : bakeFiles({options.output, options.save, maps})) {
+            if (const auto ok = checkPictureOutput(input, file); !ok)
+                return ok.error();
+        }
+        if (!options.textonFolder)
+            continue;
+        for (const auto& file :
+             mixtureFiles(*options.textonFolder, static_cast<std::size_t>(options.strips))) {
+            if (const auto ok = checkNotInput(input, file); !ok)
+                return ok.error();
+        }
+    }
+    if (options.textonFolder)
+        return checkMixtureOutputs(*options.textonFolder, static_cast<std::size_t>(options.strips));
+    return {};
+}
+
+Result<Size> chooseSupport(const Options& options, const Exemplar& a, const Exemplar& b) {
+    if (options.solve.support)
+        return *options.solve.support;
+    const BusySign sign("Looking for a support");
+    int side = 0;
+    for (const Exemplar* exemplar : {&a, &b}) {
+        const auto suggestion = suggestSupport(*exemplar);
+        if (!suggestion)
+            return suggestion.error();
+        side = std::max(side, suggestion->side);
+    }
+    return Size{side, side};
+}
+
 Result<MixedTextons> computeTextons(const Options& options,
                                     const Exemplar& a,
                                     const Exemplar& b,
-                                    double& distance,
                                     const CancelToken& cancel) {
-    Size support = options.solve.support.value_or(Size{});
-    if (!options.solve.support) {
-        const BusySign sign("Looking for a support");
-        for (const Exemplar* exemplar : {&a, &b}) {
-            const auto suggestion = suggestSupport(*exemplar);
-            if (!suggestion)
-                return suggestion.error();
-            support.width = support.height = std::max(support.width, suggestion->side);
-        }
-    }
+    const auto support = chooseSupport(options, a, b);
+    if (!support)
+        return support.error();
     const Size domain{std::max(a.image.width(), b.image.width()),
                       std::max(a.image.height(), b.image.height())};
-    const auto params = computeParams(options.solve, support, domain);
+    const auto params = computeParams(options.solve, *support, domain);
     if (!params)
         return params.error();
-    auto solver = makeMixSolver(
-        {a, b, !options.solve.noPeriodic, !options.solve.noPeriodic, *params, options.strips},
-        {},
-        cancel);
+    ProgressBar bar("Computing the textons");
+    const bool periodic = !options.solve.noPeriodic;
+    auto solver = makeMixSolver({a, b, periodic, periodic, *params, options.strips}, {}, cancel);
     if (!solver)
         return solver.error();
-    ProgressBar bar("Computing the textons");
     while (!solver->done()) {
         if (const auto ok = solver->step(cancel); !ok)
             return ok.error();
         bar.update(solver->share());
     }
-    distance = solver->path().distance();
     return solver->result();
 }
 
+MixtureAsset makeAsset(const Options& options,
+                       const Exemplar& a,
+                       const Exemplar& b,
+                       const MixedTextons& mixed,
+                       MixingMap map,
+                       const NoiseParams& noise) {
+    MixtureAsset asset;
+    asset.mixture.map = std::move(map);
+    for (const MixedTexton& one : mixed.textons) {
+        asset.mixture.textons.push_back(one.texton);
+        asset.rhos.push_back(one.rho);
+        asset.distances.push_back(one.distance);
+    }
+    asset.process = noise.process;
+    asset.meanImpacts = noise.meanImpacts;
+    asset.seed.value = options.solve.seed;
+    asset.exemplarA = a.name;
+    asset.exemplarB = b.name;
+    asset.maps = a.maps;
+    return asset;
+}
+
+struct Times {
+    double load = 0.0;
+    double solve = 0.0;
+    double bake = 0.0;
+};
+
+void reportJson(const Options& options,
+                const MixtureAsset& asset,
+                const MixedTextons& mixed,
+                const NoiseParams& params,
+                const BakeReport& report,
+                const Times& times,
+                std::span<const std::filesystem::path> written) {
+    nlohmann::ordered_json json;
+    json["width"] = options.size.width;
+    json["height"] = options.size.height;
+    json["channels"] = asset.mixture.textons.front().channels();
+    const Size support = asset.mixture.textons.front().support.size();
+    json["support"] = {support.width, support.height};
+    json["method"] = options.solve.method;
+    json["kernels"] = asset.mixture.textons.front().kernelCount();
+    json["distance"] = asset.distances.back();
+    for (const MixedTexton& one : mixed.textons)
+        json["textons"].push_back(
+            {{"rho", one.rho}, {"distance", one.distance}, {"error", one.error}});
+    json["mni"] = params.meanImpacts;
+    json["process"] = toString(params.process);
+    json["seed"] = options.solve.seed;
+    json["noise_seed"] = params.seed.value;
+    json["tile"] = options.tile;
+    json["clipped"] = report.clippedShare;
+    json["seconds"] = {{"load", times.load}, {"solve", times.solve}, {"bake", times.bake}};
+    for (const auto& file : written)
+        json["outputs"].push_back(file.string());
+    printJson(json);
+}
+
 Result<void> run(const Options& options, const CancelToken& cancel) {
-    for (const auto& input : {options.a.path, options.b.path, options.map.value_or("")}) {
-        if (const auto ok = checkPictureOutput(input, options.output); !ok)
+    if (options.map && (options.angle != 0.0 || options.ease != "linear"))
+        return Error{ErrorCode::InvalidArgument,
+                     "--angle and --ease are for gradients; leave them out with --map"};
+    const bool stacks = !options.a.stack.empty() || !options.b.stack.empty();
+    if (!stacks) {
+        if (const auto ok = checkOutputs(options, {}); !ok)
             return ok.error();
     }
     Stopwatch watch;
+    Times times;
     auto map = makeMap(options);
     if (!map)
         return map.error();
@@ -112,23 +206,22 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     const auto b = loadExemplar(options.b);
     if (!b)
         return b.error();
-    const double load = watch.lap();
-    double distance = 0.0;
-    const auto mixed = computeTextons(options, *a, *b, distance, cancel);
-    if (!mixed)
-        return Error{mixed.error().code,
-                     quoted(options.a.path) + " and " + quoted(options.b.path) + ": " +
-                         mixed.error().message};
-    const double solving = watch.lap();
-    Mixture mixture;
-    mixture.map = std::move(*map);
-    for (const MixedTexton& one : mixed->textons)
-        mixture.textons.push_back(one.texton);
+    if (stacks) { // what files it becomes is known only now
+        if (const auto ok = checkOutputs(options, a->maps); !ok)
+            return ok.error();
+    }
     NoiseParams params = options.noise.params();
     if (options.tile)
-        params.period = Period{static_cast<double>(options.size.width),
-                               static_cast<double>(options.size.height)};
-    const auto grid = NoiseGrid::create(std::move(mixture), params);
+        params.period = Period{map->placement.width, map->placement.height};
+    times.load = watch.lap();
+    const auto mixed = computeTextons(options, *a, *b, cancel);
+    if (!mixed)
+        return Error{mixed.error().code,
+                     quoted(mainFile(options.a)) + " and " + quoted(mainFile(options.b)) + ": " +
+                         mixed.error().message};
+    times.solve = watch.lap();
+    const MixtureAsset asset = makeAsset(options, *a, *b, *mixed, std::move(*map), params);
+    const auto grid = NoiseGrid::create(asset.mixture, params);
     if (!grid)
         return grid.error();
     const BakeTarget target{options.output, options.save, a->maps};
@@ -143,34 +236,26 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     }();
     if (!report)
         return report.error();
-    const double baking = watch.lap();
+    times.bake = watch.lap();
+    auto written = bakeFiles(target);
+    if (options.textonFolder) {
+        const auto saved = saveMixture(asset, *options.textonFolder);
+        if (!saved)
+            return saved.error();
+        std::ranges::copy(*saved, std::back_inserter(written));
+    }
     if (options.json) {
-        nlohmann::ordered_json json;
-        json["width"] = options.size.width;
-        json["height"] = options.size.height;
-        json["channels"] = grid->channels();
-        json["distance"] = distance;
-        for (const MixedTexton& one : mixed->textons)
-            json["textons"].push_back(
-                {{"rho", one.rho}, {"distance", one.distance}, {"error", one.error}});
-        json["kernels"] = mixed->textons.front().texton.kernelCount();
-        json["mni"] = params.meanImpacts;
-        json["process"] = toString(params.process);
-        json["seed"] = params.seed.value;
-        json["tile"] = options.tile;
-        json["clipped"] = report->clippedShare;
-        json["seconds"] = {{"load", load}, {"solve", solving}, {"bake", baking}};
-        for (const auto& file : bakeFiles(target))
-            json["outputs"].push_back(file.string());
-        printJson(json);
+        reportJson(options, asset, *mixed, params, *report, times, written);
         return {};
     }
-    std::cout << a->name << " to " << b->name << ": distance " << shortNumber(distance) << "; "
-              << options.strips << " textons in " << shortNumber(solving) << " s, noise in "
-              << shortNumber(baking) << " s\n";
+    std::cout << a->name << " to " << b->name << ": distance "
+              << shortNumber(asset.distances.back()) << "; " << options.strips << " textons in "
+              << shortNumber(times.solve) << " s, noise in " << shortNumber(times.bake) << " s\n";
     if (report->clippedShare >= 0.001)
         std::cout << shortNumber(100.0 * report->clippedShare)
                   << " % of the samples were clipped to black or white; EXR keeps them\n";
+    if (options.textonFolder)
+        std::cout << "wrote the textons to " << quoted(*options.textonFolder) << '\n';
     printWritten(bakeFiles(target));
     return {};
 }
@@ -188,8 +273,12 @@ void addMix(CLI::App& app, Session& session) {
         "In a map, black is A, white is B, and grey is in between.\n"
         "The distance tells how far the materials are apart, in standard deviations of a pixel.");
     auto options = std::make_shared<Options>();
-    command->add_option("A", options->a.path, "Photograph of the first material")->required();
-    command->add_option("B", options->b.path, "Photograph of the second material")->required();
+    options->a.stackOption = "--stack-a";
+    options->b.stackOption = "--stack-b";
+    command->add_option("A", options->a.path, "Picture of the first material");
+    command->add_option("B", options->b.path, "Picture of the second material");
+    addStackOption(*command, options->a);
+    addStackOption(*command, options->b);
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addParsed(*command, "--size", options->size, parseWidthByHeight, "WxH", "Size in pixels")
         ->required();
@@ -218,6 +307,11 @@ void addMix(CLI::App& app, Session& session) {
         "Work in linear light");
     addSolveOptions(*command, options->solve);
     addNoiseOptions(*command, options->noise, "--noise-seed");
+    command
+        ->add_option("--save-textons",
+                     options->textonFolder,
+                     "Folder for the textons, their description and the map")
+        ->type_name("DIR");
     command->add_flag("--tile", options->tile, "Make a picture that repeats without a seam");
     addDepth(*command, options->save);
     command->add_flag("--json", options->json, "Print a JSON object instead of text");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/Exporter.h"
 
-#include "core/base/OutputFiles.h"
+#include "core/export/Coefficients.h"
 #include "core/export/TextonFile.h"
 #include "core/gaussian/Exemplar.h"
 #include "core/image/TextAttributes.h"
@@ -79,28 +79,6 @@ SampleCode pngCode(const Texton& texton) {
     return code;
 }
 
-std::string channelName(int channel, int channels) {
-    if (channels == 1)
-        return "Y";
-    if (channels == 3)
-        return {"RGB"[channel]};
-    return "ch" + std::to_string(channel);
-}
-
-std::vector<std::string> layerNames(const TextonAsset& asset) {
-    const Texton& texton = asset.texton;
-    const auto ofMaps = channelNames(asset.maps);
-    std::vector<std::string> names;
-    for (int q = 0; q < texton.kernelCount(); ++q) {
-        const std::string layer =
-            texton.kernelCount() > 1 ? "kernel" + std::to_string(q) + "." : std::string();
-        for (int c = 0; c < texton.channels(); ++c)
-            names.push_back(layer + (ofMaps.empty() ? channelName(c, texton.channels())
-                                                    : ofMaps[static_cast<std::size_t>(c)]));
-    }
-    return names;
-}
-
 /// The files that hold the samples of a texton that is written to path.
 std::vector<fs::path>
 pictureFiles(const fs::path& path, TextonFormat format, const MaterialMaps& maps) {
@@ -130,23 +108,12 @@ Result<void> writeExr(const TextonAsset& asset,
                       const Json& description,
                       const fs::path& path,
                       OutputFiles& files) {
-    const Texton& texton = asset.texton;
-    Image image(texton.footprint(),
-                texton.kernelCount() * texton.channels(),
-                0.0F,
-                texton.transfer);
-    forEachCoefficient(texton,
-                       texton.kernelCount(),
-                       [&](int q, int c, int x, int y, int px, int py) {
-                           image.at(px, py, q * texton.channels() + c) =
-                               texton.kernels[static_cast<std::size_t>(q)].at(x, y, c);
-                       });
     SaveOptions options;
     options.sampleFormat = SampleFormat::Float;
-    options.channelNames = layerNames(asset);
+    options.channelNames = coefficientNames(asset);
     for (const auto& [key, value] : description.items())
         options.attributes[std::string(kAttributePrefix) + key] = asText(value);
-    return saveImage(image, path, options, &files);
+    return saveImage(framedCoefficients(asset.texton), path, options, &files);
 }
 
 /// count channels of the texton from the first one on, kernels below each other. Two channels are
@@ -202,34 +169,6 @@ Result<void> writePngs(const TextonAsset& asset,
             return ok;
     }
     return {};
-}
-
-/// Adds the texton's files under one of its outputs; appends their names.
-Result<void> addOutput(const TextonAsset& asset,
-                       const fs::path& path,
-                       OutputFiles& files,
-                       std::vector<fs::path>& written) {
-    const auto format = formatForPath(path);
-    if (!format)
-        return format.error();
-    const SampleCode code = *format == TextonFormat::Png ? pngCode(asset.texton)
-                                                         : identityCode(asset.texton.channels());
-    const Json description = describe(asset, code);
-    if (*format == TextonFormat::Texton) {
-        const auto text = toTextonFile(asset);
-        if (!text)
-            return inFile("write", path, text.error());
-        if (const auto ok = files.addText(path, *text); !ok)
-            return ok.error();
-    } else {
-        const auto ok = *format == TextonFormat::Png ? writePngs(asset, code, path, files)
-                                                     : writeExr(asset, description, path, files);
-        if (!ok)
-            return ok.error();
-    }
-    std::ranges::copy(pictureFiles(path, *format, asset.maps), std::back_inserter(written));
-    written.push_back(sidecarPath(path));
-    return files.addText(sidecarPath(path), asText(description, 2) + "\n");
 }
 
 Result<std::string> readText(const fs::path& path, std::uintmax_t limit) {
@@ -317,7 +256,7 @@ Result<TextonAsset> withKernels(Description description,
                           Image(texton.support.size(), texton.channels(), 0.0F, texton.transfer));
     // EXR files list their channels by name, in an order of their own.
     std::vector<int> source(static_cast<std::size_t>(channels));
-    const auto names = layerNames(description.asset);
+    const auto names = coefficientNames(description.asset);
     for (std::size_t i = 0; !png && i < names.size(); ++i) {
         const auto it = std::ranges::find(loaded.channelNames, names[i]);
         if (it == loaded.channelNames.end())
@@ -423,12 +362,39 @@ bool startsLikeTextonText(const fs::path& path) {
 
 } // namespace
 
+Result<void> addTexton(const TextonAsset& asset,
+                       const fs::path& path,
+                       OutputFiles& files,
+                       std::vector<fs::path>& written) {
+    const auto format = formatForPath(path);
+    if (!format)
+        return format.error();
+    const SampleCode code = *format == TextonFormat::Png ? pngCode(asset.texton)
+                                                         : identityCode(asset.texton.channels());
+    const Json description = describe(asset, code);
+    if (*format == TextonFormat::Texton) {
+        const auto text = toTextonFile(asset);
+        if (!text)
+            return inFile("write", path, text.error());
+        if (const auto ok = files.addText(path, *text); !ok)
+            return ok.error();
+    } else {
+        const auto ok = *format == TextonFormat::Png ? writePngs(asset, code, path, files)
+                                                     : writeExr(asset, description, path, files);
+        if (!ok)
+            return ok.error();
+    }
+    std::ranges::copy(pictureFiles(path, *format, asset.maps), std::back_inserter(written));
+    written.push_back(sidecarPath(path));
+    return files.addText(sidecarPath(path), asText(description, 2) + "\n");
+}
+
 Result<std::vector<fs::path>> saveTexton(const TextonAsset& asset,
                                          std::span<const fs::path> outputs) {
     OutputFiles files;
     std::vector<fs::path> written;
     for (const fs::path& path : outputs) {
-        if (const auto ok = addOutput(asset, path, files, written); !ok)
+        if (const auto ok = addTexton(asset, path, files, written); !ok)
             return ok.error();
     }
     if (const auto ok = files.commit(); !ok)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/OutputFiles.h"
 #include "core/export/TextonAsset.h"
 #include "core/image/ImageIo.h"
 
@@ -18,6 +19,12 @@ namespace txn {
 /// Unsupported (ending, or a texton that the format cannot hold); Unwritable.
 [[nodiscard]] Result<std::vector<std::filesystem::path>>
 saveTexton(const TextonAsset& asset, std::span<const std::filesystem::path> outputs);
+
+/// The same for one output, among files that appear together. Appends the paths to written.
+[[nodiscard]] Result<void> addTexton(const TextonAsset& asset,
+                                     const std::filesystem::path& path,
+                                     OutputFiles& files,
+                                     std::vector<std::filesystem::path>& written);
 
 /// All files of a texton that is stored under path: its pictures and its sidecar.
 [[nodiscard]] std::vector<std::filesystem::path> textonFiles(const std::filesystem::path& path,

@@ -54,6 +54,8 @@ class TestStory : public QObject {
     void reportsTexton();
     void fitsWithSeveralKernels();
     void makesMaterialsOfSeveralMaps();
+    void mixesTwoMaterials();
+    void mixesWhereTheMapSays();
     void suggestsASupport();
     void sameNoiseFromAllFormats();
     void tileWraps();
@@ -233,6 +235,126 @@ void TestStory::makesMaterialsOfSeveralMaps() {
           "compute --stack color=rock_color.png --stack normal=rock_normal.png -o rock.png"})
         QVERIFY2(refuses(command), command);
     run("sheet --stack color=albedo.png --stack normal=bumps.png --support 12 -o maps.png");
+}
+
+void TestStory::mixesTwoMaterials() {
+    run("sample sand -o sand.png --size 80x72 --seed 4");
+    const QString command =
+        "mix wood.png sand.png --size 300x80 --depth float --support 16 --strips 5 ";
+    for (const char* method : {"fit", "projections"}) {
+        const QJsonObject report = json(
+            command + "--save-textons parts -o mixed.exr --seed 7 --method " + QString(method));
+        QCOMPARE(report["method"].toString(), method);
+        const QJsonArray textons = report["textons"].toArray();
+        QCOMPARE(textons.size(), 5);
+        const double distance = report["distance"].toDouble();
+        QVERIFY(distance > 0.01);
+        for (int r = 0; r < 5; ++r) {
+            const QJsonObject one = textons[r].toObject();
+            QCOMPARE(one["rho"].toDouble(), r / 4.0);
+            QVERIFY(std::abs(one["distance"].toDouble(-1.0) - distance * r / 4.0) < 1e-4);
+        }
+        // The picture, the array, the description, the map, and five textons of two files each.
+        const QJsonArray outputs = report["outputs"].toArray();
+        QCOMPARE(outputs.size(), 14);
+        for (const auto& output : outputs)
+            QVERIFY2(!bytes(output.toString()).isEmpty(), qPrintable(output.toString()));
+    }
+    // Left and right are as bright as the materials.
+    const Image mixed = image("mixed.exr");
+    QCOMPARE(mixed.size(), (Size{300, 80}));
+    const auto brightness = [](const Image& picture, int left, int width) {
+        double sum = 0.0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = left; x < left + width; ++x)
+                sum += static_cast<double>(picture.at(x, y, 2));
+        }
+        return sum / width / picture.height();
+    };
+    const double a = brightness(image("wood.png"), 0, 96);
+    const double b = brightness(image("sand.png"), 0, 80);
+    QVERIFY(std::abs(a - b) > 0.1);
+    QVERIFY(std::abs(brightness(mixed, 0, 30) - std::lerp(a, b, 0.05)) < 0.04);
+    QVERIFY(std::abs(brightness(mixed, 270, 30) - std::lerp(a, b, 0.95)) < 0.04);
+
+    // Every texton is a file of its own, and a layer of the one with all of them.
+    const auto description = QJsonDocument::fromJson(bytes("parts/mixture.json")).object();
+    QCOMPARE(description["format"].toString(), "texton-mixture");
+    const auto all = loadImage(m_folder.filePath("parts/textons.exr").toStdString());
+    QVERIFY(bool(all));
+    for (const auto& entry : description["textons"].toArray()) {
+        const QJsonObject one = entry.toObject();
+        const QString file = "parts/" + one["file"].toString();
+        QVERIFY(!json("info " + file)["kernels"].isNull());
+        const auto own = loadImage(m_folder.filePath(file).toStdString());
+        for (std::size_t c = 0; c < own->channelNames.size(); ++c) {
+            const auto name = one["layer"].toString().toStdString() + "." + own->channelNames[c];
+            const auto at = std::ranges::find(all->channelNames, name);
+            QVERIFY2(at != all->channelNames.end(), name.c_str());
+            QVERIFY(std::ranges::equal(
+                all->image.plane(static_cast<int>(at - all->channelNames.begin())),
+                own->image.plane(static_cast<int>(c))));
+        }
+    }
+    run("noise parts/texton_02.exr -o middle.png --size 32x32");
+    // The same again, and other noise with another seed.
+    run(command + "-o again.exr --seed 7 --method projections");
+    QVERIFY(bytes("again.exr") == bytes("mixed.exr"));
+    run(command + "-o other.exr --seed 7 --method projections --noise-seed 2");
+    QVERIFY(bytes("other.exr") != bytes("mixed.exr"));
+    run(command + "-o turned.exr --angle 90 --ease smooth");
+
+    // Stacks: one picture for each map.
+    run("sample stone -o other.png --size 96x64 --seed 9");
+    const QJsonObject stacks =
+        json("mix --stack-a color=wood.png --stack-a extra=wood.png --stack-b color=other.png "
+             "--stack-b extra=other.png -o set.png --size 64x48 --support 12 --strips 3");
+    QCOMPARE(stacks["channels"].toInt(), 6);
+    QCOMPARE(image("set_color.png").size(), (Size{64, 48}));
+    QVERIFY(refuses("mix --stack-a color=wood.png --stack-b extra=other.png -o bad.png "
+                    "--size 64x48 --support 12"));
+}
+
+void TestStory::mixesWhereTheMapSays() {
+    run("sample sand -o sand.png --size 80x72 --seed 4");
+    // All of A, then all of B: as bright, and not the same picture.
+    Image map({8, 4}, 1);
+    const auto save = [&](const char* name) {
+        QVERIFY(bool(saveImage(map, m_folder.filePath(name).toStdString())));
+    };
+    save("black.png");
+    std::ranges::fill(map.samples(), 1.0F);
+    save("white.png");
+    const QString command =
+        "mix wood.png sand.png --size 90x64 --depth float --support 16 --strips 3 ";
+    run(command + "-o a.exr --map black.png --save-textons few");
+    run(command + "-o b.exr --map white.png");
+    // A map of one value is the noise of that texton alone, bit by bit.
+    run("noise few/texton_00.exr -o alone.exr --size 90x64 --depth float");
+    QVERIFY(imageDistance(image("alone.exr"), image("a.exr")) <= 0.0);
+    run("noise few/texton_02.exr -o alone.exr --size 90x64 --depth float");
+    QVERIFY(imageDistance(image("alone.exr"), image("b.exr")) <= 0.0);
+    // With --tile, the map repeats and so does the noise.
+    for (int x = 4; x < 8; ++x) {
+        for (int y = 0; y < 4; ++y)
+            map.at(x, y, 0) = 0.0F;
+    }
+    save("half.png");
+    const QJsonObject tile = json(command + "-o tile.exr --map half.png --tile");
+    QCOMPARE(tile["tile"].toBool(), true);
+    const Image picture = image("tile.exr");
+    const auto step = [&](int left) {
+        double sum = 0.0;
+        for (int y = 0; y < picture.height(); ++y)
+            sum += std::pow(
+                static_cast<double>(picture.at((left + 1) % 90, y, 0) - picture.at(left, y, 0)),
+                2);
+        return sum / picture.height();
+    };
+    double inside = 0.0;
+    for (int x = 0; x < 89; ++x)
+        inside = std::max(inside, step(x));
+    QVERIFY(step(89) <= inside);
 }
 
 void TestStory::suggestsASupport() {
