@@ -10,6 +10,8 @@
 #include "core/base/OutputFiles.h"
 #include "core/compute/MixSolver.h"
 #include "core/export/MixtureExport.h"
+#include "core/material/MapStack.h"
+#include "core/sheet/ContactSheet.h"
 
 #include <algorithm>
 #include <iostream>
@@ -20,6 +22,10 @@
 
 namespace txn::cli {
 namespace {
+
+constexpr std::size_t kSheetTextons = 5;
+constexpr Size kSheetTexton{256, 256};
+constexpr Size kSheetNoise{1600, 512};
 
 struct Options {
     ExemplarOptions a;
@@ -35,6 +41,7 @@ struct Options {
     std::optional<std::filesystem::path> map;
     bool tile = false;
     std::optional<std::filesystem::path> textonFolder;
+    std::optional<std::filesystem::path> sheet;
     bool json = false;
 };
 
@@ -71,6 +78,10 @@ Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
     if (options.map)
         inputs.push_back(*options.map);
     for (const auto& input : inputs) {
+        if (options.sheet) {
+            if (const auto ok = checkPictureOutput(input, *options.sheet); !ok)
+                return ok.error();
+        }
         for (const auto& file : bakeFiles({options.output, options.save, maps})) {
             if (const auto ok = checkPictureOutput(input, file); !ok)
                 return ok.error();
@@ -147,6 +158,32 @@ MixtureAsset makeAsset(const Options& options,
     asset.exemplarB = b.name;
     asset.maps = a.maps;
     return asset;
+}
+
+/// As in figure 5 of [TN17]: some of the textons, and the noise below.
+Result<void> saveSheet(const MixtureAsset& asset, const NoiseGrid& grid, const Options& options) {
+    const auto last = asset.mixture.textons.size() - 1;
+    std::vector<std::vector<Panel>> rows(2);
+    for (std::size_t i = 0; i < kSheetTextons; ++i) {
+        const std::size_t r = (i * last + (kSheetTextons - 1) / 2) / (kSheetTextons - 1);
+        const Image picture = textonPicture(asset.mixture.textons[r], kSheetTexton);
+        rows[0].push_back({"rho " + shortNumber(asset.rhos[r]),
+                           firstPicture(picture, asset.maps)});
+    }
+    const Size shown{std::min(options.size.width, kSheetNoise.width),
+                     std::min(options.size.height, kSheetNoise.height)};
+    const auto noise = grid.render({(options.size.width - shown.width) / 2,
+                                    (options.size.height - shown.height) / 2,
+                                    shown});
+    if (!noise)
+        return noise.error();
+    rows[1].push_back({"Mixed noise of " + std::to_string(asset.mixture.textons.size()) +
+                           " textons, distance " + shortNumber(asset.distances.back()),
+                       firstPicture(*noise, asset.maps)});
+    const auto sheet = rowSheet(asset.exemplarA + " to " + asset.exemplarB, rows);
+    if (!sheet)
+        return sheet.error();
+    return saveImage(*sheet, *options.sheet);
 }
 
 struct Times {
@@ -244,6 +281,11 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
             return saved.error();
         std::ranges::copy(*saved, std::back_inserter(written));
     }
+    if (options.sheet) {
+        if (const auto ok = saveSheet(asset, *grid, options); !ok)
+            return ok.error();
+        written.push_back(*options.sheet);
+    }
     if (options.json) {
         reportJson(options, asset, *mixed, params, *report, times, written);
         return {};
@@ -256,6 +298,8 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
                   << " % of the samples were clipped to black or white; EXR keeps them\n";
     if (options.textonFolder)
         std::cout << "wrote the textons to " << quoted(*options.textonFolder) << '\n';
+    if (options.sheet)
+        std::cout << "wrote a sheet to " << quoted(*options.sheet) << '\n';
     printWritten(bakeFiles(target));
     return {};
 }
@@ -312,6 +356,11 @@ void addMix(CLI::App& app, Session& session) {
                      options->textonFolder,
                      "Folder for the textons, their description and the map")
         ->type_name("DIR");
+    command
+        ->add_option("--sheet",
+                     options->sheet,
+                     "Picture to look at: some of the textons, and the noise")
+        ->type_name("PICTURE");
     command->add_flag("--tile", options->tile, "Make a picture that repeats without a seam");
     addDepth(*command, options->save);
     command->add_flag("--json", options->json, "Print a JSON object instead of text");

@@ -18,6 +18,7 @@ constexpr int kLabelHeight = 18;
 constexpr int kTitleHeight = 24;
 constexpr int kLine = 32; ///< a label with its space
 constexpr int kColumns = 2;
+constexpr int kHeader = kMargin + kTitleHeight + kGap;
 
 void paste(const Image& picture, int left, int top, Image& sheet) {
     const Image encoded = toEncoded(picture);
@@ -30,6 +31,23 @@ void paste(const Image& picture, int left, int top, Image& sheet) {
     }
 }
 
+/// Ground and title, with room for content of that size from (kMargin, kHeader) on.
+Result<Image> emptySheet(const std::string& title, Size content) {
+    Image sheet({2 * kMargin + content.width, kHeader + content.height + kMargin}, 3, kGround);
+    if (const auto ok =
+            drawText(sheet, kMargin, kMargin + kTitleHeight, kTitleHeight, title, kText);
+        !ok)
+        return ok.error();
+    return sheet;
+}
+
+Result<void> addPanel(const Panel& panel, int left, int top, Image& sheet) {
+    if (auto ok = drawText(sheet, left, top + kLine - 10, kLabelHeight, panel.label, kText); !ok)
+        return ok;
+    paste(panel.image, left, top + kLine, sheet);
+    return {};
+}
+
 } // namespace
 
 Result<Image> contactSheet(const std::string& title, std::span<const Panel> panels) {
@@ -39,24 +57,47 @@ Result<Image> contactSheet(const std::string& title, std::span<const Panel> pane
         cell.height = std::max(cell.height, panel.image.height());
     }
     const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
-    const int header = kMargin + kTitleHeight + kGap;
-    const Size size{2 * kMargin + kColumns * cell.width + (kColumns - 1) * kGap,
-                    header + rows * (kLine + cell.height) + (rows - 1) * kGap + kMargin};
-    Image sheet(size, 3, kGround);
-    if (const auto ok =
-            drawText(sheet, kMargin, kMargin + kTitleHeight, kTitleHeight, title, kText);
-        !ok)
-        return ok.error();
-    for (std::size_t i = 0; i < panels.size(); ++i) {
+    auto sheet =
+        emptySheet(title,
+                   {kColumns * cell.width + (kColumns - 1) * kGap,
+                    rows * (kLine + cell.height) + (rows - 1) * kGap});
+    for (std::size_t i = 0; sheet && i < panels.size(); ++i) {
         const int column = static_cast<int>(i) % kColumns;
         const int row = static_cast<int>(i) / kColumns;
-        const int left = kMargin + column * (cell.width + kGap);
-        const int top = header + row * (kLine + cell.height + kGap);
-        if (const auto ok =
-                drawText(sheet, left, top + kLine - 10, kLabelHeight, panels[i].label, kText);
-            !ok)
+        const auto ok = addPanel(panels[i],
+                                 kMargin + column * (cell.width + kGap),
+                                 kHeader + row * (kLine + cell.height + kGap),
+                                 *sheet);
+        if (!ok)
             return ok.error();
-        paste(panels[i].image, left, top + kLine, sheet);
+    }
+    return sheet;
+}
+
+Result<Image> rowSheet(const std::string& title, std::span<const std::vector<Panel>> rows) {
+    Size content{kTitleHeight * 12, -kGap};
+    std::vector<int> heights;
+    for (const auto& row : rows) {
+        int width = -kGap;
+        int height = 0;
+        for (const Panel& panel : row) {
+            width += kGap + panel.image.width();
+            height = std::max(height, kLine + panel.image.height());
+        }
+        content.width = std::max(content.width, width);
+        content.height += kGap + height;
+        heights.push_back(height);
+    }
+    auto sheet = emptySheet(title, content);
+    int top = kHeader;
+    for (std::size_t r = 0; sheet && r < rows.size(); ++r) {
+        int left = kMargin;
+        for (const Panel& panel : rows[r]) {
+            if (const auto ok = addPanel(panel, left, top, *sheet); !ok)
+                return ok.error();
+            left += panel.image.width() + kGap;
+        }
+        top += heights[r] + kGap;
     }
     return sheet;
 }

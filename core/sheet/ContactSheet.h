@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace txn {
 
@@ -20,6 +21,10 @@ struct Panel {
 /// Encoded. Panels show one or three channels (the first three of more), linear ones encoded.
 /// Errors: Unsupported if the system has no font for the labels.
 [[nodiscard]] Result<Image> contactSheet(const std::string& title, std::span<const Panel> panels);
+
+/// The same with panels in rows of their own, from the left: as figures show a mixture.
+[[nodiscard]] Result<Image> rowSheet(const std::string& title,
+                                     std::span<const std::vector<Panel>> rows);
 
 /// The kernels of a texton as a picture, the way the papers show them: mean plus coefficients at
 /// the contrast of a spot noise of one impact per pixel, kernels side by side, magnified by whole
