@@ -71,8 +71,8 @@ class MixSolver {
         MixedTexton texton;
     };
 
-    MixSolver(BarycentrePath path, const ComputeParams& params, std::vector<double> weights)
-        : m_path(std::move(path)), m_params(params), m_weights(std::move(weights)) {}
+    MixSolver(BarycentrePath path, ComputeParams params, std::vector<double> weights)
+        : m_path(std::move(path)), m_params(std::move(params)), m_weights(std::move(weights)) {}
     void plan(int textons, MixedTextons known);
     Result<Found> compute(const Task& task, const CancelToken& cancel) const;
     Result<Found> fit(const GaussianModel& model, double rho, const CancelToken& cancel) const;

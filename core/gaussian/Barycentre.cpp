@@ -126,10 +126,10 @@ BarycentrePath::create(const Exemplar& a, const Exemplar& b, bool periodicA, boo
     auto modelB = model(b, periodicB);
     if (!modelB)
         return modelB.error();
-    return create(std::move(*modelA), std::move(*modelB));
+    return create(*modelA, std::move(*modelB));
 }
 
-Result<BarycentrePath> BarycentrePath::create(GaussianModel a, GaussianModel b) {
+Result<BarycentrePath> BarycentrePath::create(const GaussianModel& a, GaussianModel b) {
     if (const auto ok = checkAlike(a.channels(), b.channels(), a.transfer(), b.transfer()); !ok)
         return ok.error();
     if (a.domain() != b.domain())

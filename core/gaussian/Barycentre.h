@@ -29,7 +29,7 @@ class BarycentrePath {
     create(const Exemplar& a, const Exemplar& b, bool periodicA = true, bool periodicB = true);
 
     /// Of models on one domain. Errors: as above.
-    [[nodiscard]] static Result<BarycentrePath> create(GaussianModel a, GaussianModel b);
+    [[nodiscard]] static Result<BarycentrePath> create(const GaussianModel& a, GaussianModel b);
 
     /// The barycentre at rho in [0, 1]; at 0 the texture of A, at 1 that of B.
     [[nodiscard]] GaussianModel at(double rho) const;

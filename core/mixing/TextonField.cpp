@@ -21,10 +21,10 @@ void averageCells(const float* in, int from, std::ptrdiff_t step, float* out, in
     for (int cell = 0; cell < to; ++cell) {
         const double begin = static_cast<double>(cell) * from / to;
         const double end = static_cast<double>(cell + 1) * from / to;
-        const int first = static_cast<int>(begin);
+        const auto first = static_cast<int>(begin);
         const int last = std::min(from - 1, static_cast<int>(std::ceil(end)) - 1);
         // Differences from one of the values: exact where all are equal.
-        const double base = static_cast<double>(in[first * step]);
+        const auto base = static_cast<double>(in[first * step]);
         double sum = 0.0;
         for (int i = first; i <= last; ++i)
             sum += (std::min(end, i + 1.0) - std::max(begin, 1.0 * i)) *

@@ -57,10 +57,9 @@ Result<Image> contactSheet(const std::string& title, std::span<const Panel> pane
         cell.height = std::max(cell.height, panel.image.height());
     }
     const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
-    auto sheet =
-        emptySheet(title,
-                   {kColumns * cell.width + (kColumns - 1) * kGap,
-                    rows * (kLine + cell.height) + (rows - 1) * kGap});
+    auto sheet = emptySheet(title,
+                            {kColumns * cell.width + (kColumns - 1) * kGap,
+                             rows * (kLine + cell.height) + (rows - 1) * kGap});
     for (std::size_t i = 0; sheet && i < panels.size(); ++i) {
         const int column = static_cast<int>(i) % kColumns;
         const int row = static_cast<int>(i) / kColumns;

@@ -52,6 +52,31 @@ class TestContactSheet : public QObject {
         TXN_AT_MOST(std::abs(static_cast<double>(picture.at(10, 3, 0)) - texton.mean[0]), 1e-6);
     }
 
+    void rowsHoldTheirPanels() {
+        const std::vector<std::vector<Panel>> rows{
+            {{"first", texturedImage({60, 50}, 3, 3)}, {"second", texturedImage({40, 70}, 1, 4)}},
+            {{"wide", texturedImage({500, 30}, 3, 5)}}};
+        const auto sheet = rowSheet("A title", rows);
+        if (!sheet && sheet.error().code == ErrorCode::Unsupported)
+            QSKIP("no font on this system");
+        TXN_OK(sheet);
+        QCOMPARE(sheet->width(), 500 + 2 * 24);
+        // The second panel of the first row stands right of the first one, at the same height.
+        const auto holds = [&](const Image& image, int left, int top) {
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    if (sheet->at(left + x, top + y, 0) != image.at(x, y, 0))
+                        return false;
+                }
+            }
+            return true;
+        };
+        const int top = 24 + 24 + 16 + 32;
+        QVERIFY(holds(rows[0][0].image, 24, top));
+        QVERIFY(holds(rows[0][1].image, 24 + 60 + 16, top));
+        QVERIFY(holds(rows[1][0].image, 24, top + 70 + 16 + 32));
+    }
+
     void sheetsHoldTheirPanels() {
         const std::vector<Panel> panels{{"exemplar", texturedImage({60, 50}, 3, 3)},
                                         {"grey", texturedImage({40, 70}, 1, 4)},
