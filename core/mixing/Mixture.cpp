@@ -19,8 +19,7 @@ bool isFinite(const Texton& texton) {
 
 } // namespace
 
-Result<void> checkMixture(const Mixture& mixture) {
-    const auto& textons = mixture.textons;
+Result<void> checkMixedTextons(std::span<const Texton> textons) {
     if (textons.empty() || textons.size() > static_cast<std::size_t>(TextonField::kMaxTextons))
         return Error{ErrorCode::InvalidArgument,
                      "a mixture has 1 to " + std::to_string(TextonField::kMaxTextons) + " textons"};
@@ -36,6 +35,12 @@ Result<void> checkMixture(const Mixture& mixture) {
         if (!isFinite(texton))
             return Error{ErrorCode::Degenerate, "the texton holds values that are not numbers"};
     }
+    return {};
+}
+
+Result<void> checkMixture(const Mixture& mixture) {
+    if (const auto ok = checkMixedTextons(mixture.textons); !ok)
+        return ok.error();
     return checkMixingMap(mixture.map);
 }
 

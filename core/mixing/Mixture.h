@@ -4,6 +4,7 @@
 #include "core/mixing/MixingMap.h"
 #include "core/texton/Texton.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,10 @@ struct Mixture {
 };
 
 /// Errors: InvalidArgument for no or too many textons; SizeMismatch for textons that do not fit
-/// together; Degenerate for coefficients that are not finite; those of checkMixingMap.
+/// together; Degenerate for coefficients that are not finite.
+[[nodiscard]] Result<void> checkMixedTextons(std::span<const Texton> textons);
+
+/// Errors: those of checkMixedTextons and checkMixingMap.
 [[nodiscard]] Result<void> checkMixture(const Mixture& mixture);
 
 } // namespace txn

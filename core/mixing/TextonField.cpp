@@ -35,6 +35,23 @@ void averageCells(const float* in, int from, std::ptrdiff_t step, float* out, in
 
 } // namespace
 
+std::vector<float> gridMeans(std::span<const float> values, Size from, Size to) {
+    assert(values.size() == from.area());
+    // Along x, then along y.
+    const auto width = static_cast<std::size_t>(to.width);
+    std::vector<float> rows(static_cast<std::size_t>(from.height) * width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(from.height); ++y)
+        averageCells(values.data() + y * static_cast<std::size_t>(from.width),
+                     from.width,
+                     1,
+                     rows.data() + y * width,
+                     to.width);
+    std::vector<float> means(to.area());
+    for (int x = 0; x < to.width; ++x)
+        averageCells(rows.data() + x, from.height, to.width, means.data() + x, to.height);
+    return means;
+}
+
 /// Four neighbouring cells and their weights.
 struct TextonField::Taps {
     int cell[4];
@@ -42,7 +59,8 @@ struct TextonField::Taps {
 };
 
 TextonField::TextonField(const MixingMap& map, int textons, Size footprint)
-    : m_size(map.rho.size()), m_cells{cellsAlong(map.placement.width, footprint.width),
+    : m_textonCount(textons),
+      m_size(map.rho.size()), m_cells{cellsAlong(map.placement.width, footprint.width),
                                       cellsAlong(map.placement.height, footprint.height)},
       m_placement(map.placement), m_boundary(map.boundary), m_positions(m_size.area()) {
     assert(textons >= 1 && textons <= kMaxTextons && checkMixingMap(map));
@@ -55,31 +73,11 @@ TextonField::TextonField(const MixingMap& map, int textons, Size footprint)
             return position == m_positions.front();
         });
 
-    // Along x into the first cells of every row, then along y.
-    const auto stride = static_cast<std::size_t>(std::max(m_size.width, m_cells.width));
-    const auto height = static_cast<std::size_t>(m_size.height);
-    std::vector<float> rows(height * static_cast<std::size_t>(m_cells.width));
-    std::vector<float> line(stride);
-    for (std::size_t y = 0; y < height; ++y) {
-        const auto row = std::span(m_positions)
-                             .subspan(y * static_cast<std::size_t>(m_size.width),
-                                      static_cast<std::size_t>(m_size.width));
-        std::ranges::transform(row, line.begin(), [](std::uint16_t position) {
-            return static_cast<float>(position) / static_cast<float>(kSteps);
-        });
-        averageCells(line.data(),
-                     m_size.width,
-                     1,
-                     rows.data() + y * static_cast<std::size_t>(m_cells.width),
-                     m_cells.width);
-    }
-    m_coefficients.resize(m_cells.area());
-    for (int x = 0; x < m_cells.width; ++x)
-        averageCells(rows.data() + x,
-                     m_size.height,
-                     m_cells.width,
-                     m_coefficients.data() + x,
-                     m_cells.height);
+    std::vector<float> along(m_positions.size());
+    std::ranges::transform(m_positions, along.begin(), [](std::uint16_t position) {
+        return static_cast<float>(position) / static_cast<float>(kSteps);
+    });
+    m_coefficients = gridMeans(along, m_size, m_cells);
 }
 
 TextonField::Taps TextonField::taps(double at, double start, double length, int count) const {

@@ -28,6 +28,9 @@ class TextonField {
     /// textons, by whose width the mean is smoothed.
     TextonField(const MixingMap& map, int textons, Size footprint);
 
+    /// R.
+    int textonCount() const { return m_textonCount; }
+
     /// Whether one texton is taken everywhere, and the mean is that texton's.
     bool isConstant() const { return m_constant; }
 
@@ -71,6 +74,7 @@ class TextonField {
     struct Taps;
     [[nodiscard]] Taps taps(double at, double start, double length, int count) const;
 
+    int m_textonCount;
     Size m_size;
     Size m_cells;
     MapPlacement m_placement;
@@ -79,5 +83,9 @@ class TextonField {
     std::vector<std::uint16_t> m_positions;
     std::vector<float> m_coefficients;
 };
+
+/// Means of a grid of values, row after row, over the cells of another grid on the same rectangle.
+/// Exact where all values are equal.
+[[nodiscard]] std::vector<float> gridMeans(std::span<const float> values, Size from, Size to);
 
 } // namespace txn

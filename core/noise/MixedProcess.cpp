@@ -16,24 +16,45 @@ bool isMultiple(double length, double part) {
 
 } // namespace
 
-Result<void> checkMixedNoise(const Mixture& mixture, const NoiseParams& params) {
-    if (const auto ok = checkNoiseParams(params); !ok)
-        return ok.error();
-    if (const auto ok = checkMixture(mixture); !ok)
-        return ok.error();
-    if (mixture.textons.size() == 1)
+Result<void> checkMixing(std::size_t textons,
+                         const MapPlacement& placement,
+                         MapBoundary boundary,
+                         const NoiseParams& params) {
+    if (textons == 1)
         return {};
     if (params.process == NoiseProcess::Poisson)
         return Error{ErrorCode::InvalidArgument,
                      "a mixture needs impacts of both signs; choose the stratified or the signed "
                      "process"};
-    const MapPlacement& place = mixture.map.placement;
-    if (params.period && (mixture.map.boundary != MapBoundary::Repeat ||
-                          !isMultiple(params.period->width, place.width) ||
-                          !isMultiple(params.period->height, place.height)))
+    if (params.period &&
+        (boundary != MapBoundary::Repeat || !isMultiple(params.period->width, placement.width) ||
+         !isMultiple(params.period->height, placement.height)))
         return Error{ErrorCode::InvalidArgument,
                      "a mixture repeats only with its map; let the map repeat and fit the tile"};
     return {};
+}
+
+Result<void> checkMixedNoise(const Mixture& mixture, const NoiseParams& params) {
+    if (const auto ok = checkNoiseParams(params); !ok)
+        return ok.error();
+    if (const auto ok = checkMixture(mixture); !ok)
+        return ok.error();
+    return checkMixing(mixture.textons.size(), mixture.map.placement, mixture.map.boundary, params);
+}
+
+std::vector<double> mixedMean(const TextonField& field,
+                              std::span<const std::vector<double>> offsets,
+                              double x,
+                              double y) {
+    float position = 0.0F;
+    field.meanPositions(std::span(&x, 1), std::span(&y, 1), std::span(&position, 1));
+    const auto left = static_cast<std::size_t>(position);
+    const std::size_t right = std::min(left + 1, offsets.size() - 1);
+    const double share = static_cast<double>(position) - static_cast<double>(left);
+    std::vector<double> means = offsets[left];
+    for (std::size_t c = 0; c < means.size(); ++c)
+        means[c] += share * (offsets[right][c] - offsets[left][c]);
+    return means;
 }
 
 MixedProcess::MixedProcess(Mixture mixture, const NoiseParams& params)
@@ -44,18 +65,6 @@ MixedProcess::MixedProcess(Mixture mixture, const NoiseParams& params)
       m_middleY(0.5 * first().footprint().height) {
     for (const Texton& texton : m_textons)
         m_offsets.push_back(normalization(texton, m_impulses).offset);
-}
-
-std::vector<double> MixedProcess::meanAt(double x, double y) const {
-    float position = 0.0F;
-    m_field.meanPositions(std::span(&x, 1), std::span(&y, 1), std::span(&position, 1));
-    const auto left = static_cast<std::size_t>(position);
-    const std::size_t right = std::min(left + 1, m_offsets.size() - 1);
-    const double share = static_cast<double>(position) - static_cast<double>(left);
-    std::vector<double> means = m_offsets[left];
-    for (std::size_t c = 0; c < means.size(); ++c)
-        means[c] += share * (m_offsets[right][c] - m_offsets[left][c]);
-    return means;
 }
 
 void MixedProcess::addMean(std::span<const double> xs,

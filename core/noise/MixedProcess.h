@@ -10,11 +10,17 @@
 
 namespace txn {
 
-/// What all evaluators of a mixture share: the impulses, which texton each of them drops (that of
-/// the map at the middle of its footprint), and the mean. [TN17] section 7:
+/// The C means of a mixture at a point: the textons' own (offsets), interpolated where the smoothed
+/// map lies (TextonField::meanPositions).
+[[nodiscard]] std::vector<double> mixedMean(const TextonField& field,
+                                            std::span<const std::vector<double>> offsets,
+                                            double x,
+                                            double y);
+
+/// What all evaluators of a mixture in the plane share: the impulses, which texton each of them
+/// drops (that of the map at the middle of its footprint), and the mean. [TN17] section 7:
 ///     g(x) = m(x) + sqrt(Q / lambda) sum_j e_j h_{r(x_j), q_j}(x - x_j),
-/// m the textons' means, interpolated at the smoothed map (TextonField::meanPositions). Immutable;
-/// thread-safe.
+/// m as mixedMean has it. Immutable; thread-safe.
 class MixedProcess {
   public:
     /// mixture and params: checked by checkMixedNoise.
@@ -33,7 +39,9 @@ class MixedProcess {
     }
 
     /// The C means at a point.
-    [[nodiscard]] std::vector<double> meanAt(double x, double y) const;
+    [[nodiscard]] std::vector<double> meanAt(double x, double y) const {
+        return mixedMean(m_field, m_offsets, x, y);
+    }
 
     /// Adds the mean at every (xs[i], ys[j]), in exemplar pixels, to the picture.
     void addMean(std::span<const double> xs, std::span<const double> ys, Image& picture) const;
@@ -48,8 +56,14 @@ class MixedProcess {
     std::vector<std::vector<double>> m_offsets; ///< of each texton alone: see Normalization
 };
 
-/// Errors: those of checkMixture and checkNoiseParams; InvalidArgument for several textons where
-/// impulses have no signs (the mean could not follow), or where noise repeats and the map does not.
+/// Errors: InvalidArgument for several textons where impulses have no signs (the mean could not
+/// follow), or where noise repeats and the map does not.
+[[nodiscard]] Result<void> checkMixing(std::size_t textons,
+                                       const MapPlacement& placement,
+                                       MapBoundary boundary,
+                                       const NoiseParams& params);
+
+/// Errors: those of checkMixture, checkNoiseParams and checkMixing.
 [[nodiscard]] Result<void> checkMixedNoise(const Mixture& mixture, const NoiseParams& params);
 
 } // namespace txn

@@ -12,6 +12,7 @@ struct SurfaceImpulse {
     glm::dvec3 place; ///< in exemplar pixels
     float sign = 1.0F;
     int kernel = 0;
+    std::uint32_t choice = 0; ///< 10 random bits: see TextonField
 };
 
 /// The random impulses of a surface noise, one cubic cell of space at a time: as ImpulseProcess
@@ -64,7 +65,8 @@ class SurfaceImpulses {
             visit(SurfaceImpulse{
                 place * m_cell,
                 m_process != NoiseProcess::Poisson && (h[3] >> 31U) != 0 ? -1.0F : 1.0F,
-                static_cast<int>((((h[3] >> 15U) & 0xffffU) * m_kernelCount) >> 16U)});
+                static_cast<int>((((h[3] >> 15U) & 0xffffU) * m_kernelCount) >> 16U),
+                (h[3] >> 5U) & 0x3ffU});
         }
     }
 

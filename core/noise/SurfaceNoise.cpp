@@ -22,17 +22,23 @@ Normalization surfaceNormalization(const Texton& texton, const SurfaceImpulses& 
     return result;
 }
 
-SurfaceNoise::SurfaceNoise(Texton texton, const NoiseParams& params)
-    : m_texton(std::move(texton)), m_impulses(params, m_texton.footprint(), m_texton.kernelCount()),
-      m_normalization(surfaceNormalization(m_texton, m_impulses)) {}
+SurfaceNoise::SurfaceNoise(Mixture mixture, const NoiseParams& params)
+    : m_textons(std::move(mixture.textons)),
+      m_field(mixture.map, static_cast<int>(m_textons.size()), m_textons.front().footprint()),
+      m_impulses(params, m_textons.front().footprint(), m_textons.front().kernelCount()),
+      m_gain(surfaceNormalization(m_textons.front(), m_impulses).gain) {
+    for (const Texton& texton : m_textons)
+        m_offsets.push_back(surfaceNormalization(texton, m_impulses).offset);
+}
 
 void SurfaceNoise::evaluate(const glm::dvec3& point,
                             const SurfaceFrame& frame,
                             std::span<double> out) const {
-    assert(out.size() == m_texton.mean.size());
-    const Size footprint = m_texton.footprint();
+    const Texton& first = m_textons.front(); // what they all share can be read from it
+    assert(out.size() == first.mean.size());
+    const Size footprint = first.footprint();
     const double half = 0.5 * m_impulses.side();
-    const double corner = m_texton.frame() + 0.5;
+    const double corner = first.frame() + 0.5;
     const glm::dvec3 reach =
         half * (glm::abs(frame.right) + glm::abs(frame.down) + glm::abs(frame.normal));
     std::fill(out.begin(), out.end(), 0.0);
@@ -41,14 +47,17 @@ void SurfaceNoise::evaluate(const glm::dvec3& point,
         const double weight = 1.0 - std::abs(glm::dot(from, frame.normal)) / half;
         if (weight <= 0.0)
             return;
+        const auto texton = static_cast<std::size_t>(
+            m_field.textonAt(impulse.place.x, -impulse.place.y, impulse.choice));
         const double x = glm::dot(from, frame.right) + 0.5 * footprint.width - corner;
         const double y = glm::dot(from, frame.down) + 0.5 * footprint.height - corner;
         for (std::size_t c = 0; c < out.size(); ++c)
             out[c] += impulse.sign * weight *
-                      kernelValue(m_texton, impulse.kernel, static_cast<int>(c), x, y);
+                      kernelValue(m_textons[texton], impulse.kernel, static_cast<int>(c), x, y);
     });
+    const auto mean = mixedMean(m_field, m_offsets, point.x, -point.y);
     for (std::size_t c = 0; c < out.size(); ++c)
-        out[c] = m_normalization.offset[c] + m_normalization.gain * out[c];
+        out[c] = mean[c] + m_gain * out[c];
 }
 
 } // namespace txn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/noise/MixedProcess.h"
 #include "core/noise/Normalization.h"
 #include "core/noise/SurfaceImpulses.h"
 
@@ -22,23 +23,28 @@ struct SurfaceFrame {
 [[nodiscard]] Normalization surfaceNormalization(const Texton& texton,
                                                  const SurfaceImpulses& impulses);
 
-/// Texton noise on a surface without texture coordinates ([TN17] section 6), at any point of it, in
-/// double precision: the reference that the GPU is tested against. Impulses within the cube of side
-/// r around a point, turned as its frame, are projected onto the tangent plane and weigh
-/// 1 - 2 |t| / r, t their distance from it. Const members are thread-safe.
+/// Noise of a texton or a mixture on a surface without texture coordinates ([TN17] section 6), at
+/// any point of it, in double precision: the reference that the GPU is tested against. Impulses
+/// within the cube of side r around a point, turned as its frame, are projected onto the tangent
+/// plane and weigh 1 - 2 |t| / r, t their distance from it. A mixing map is what is seen from the
+/// front: it lies along the x of space and against its y, which points up. Const members are
+/// thread-safe.
 class SurfaceNoise {
   public:
-    /// params: checked by checkNoiseParams. Its MNI is the mean number of impulses in the cube;
-    /// since their weights differ, it takes about twice that of the plane to look the same.
-    SurfaceNoise(Texton texton, const NoiseParams& params);
+    /// mixture and params: checked by checkMixedNoise. The MNI is the mean number of impulses in
+    /// the cube; since their weights differ, it takes about twice that of the plane to look the
+    /// same.
+    SurfaceNoise(Mixture mixture, const NoiseParams& params);
 
     /// Writes the C channels at a point, in exemplar pixels.
     void evaluate(const glm::dvec3& point, const SurfaceFrame& frame, std::span<double> out) const;
 
   private:
-    Texton m_texton;
+    std::vector<Texton> m_textons;
+    TextonField m_field;
     SurfaceImpulses m_impulses;
-    Normalization m_normalization;
+    double m_gain;
+    std::vector<std::vector<double>> m_offsets; ///< of each texton alone: see Normalization
 };
 
 } // namespace txn

@@ -328,6 +328,73 @@ class TestSurfaceNoise : public QObject {
         periodic.period = Period{10.0, 10.0};
         QVERIFY(base == profile(periodic));
     }
+
+    void aMapLiesAsSeenFromTheFront() {
+        // Four corners of the map, of four textons: to the right and up in space is to the right
+        // and up in the map, whose y points down; z changes nothing.
+        std::vector<Texton> textons;
+        for (std::uint64_t r = 0; r < 4; ++r) {
+            textons.push_back(makeTexton({1, 2, {7, 5}, 2, 40 + r}));
+            textons.back().mean[0] += static_cast<double>(r);
+        }
+        MixingMap map{Image(Size{2, 2}, 1), {-1000.0, -1000.0, 2000.0, 2000.0}};
+        const float third = 1.0F / 3.0F;
+        map.rho.at(1, 0, 0) = third;
+        map.rho.at(0, 1, 0) = 2.0F * third;
+        map.rho.at(1, 1, 0) = 1.0F;
+        TestRandom random(8);
+        for (const int process : {0, 1}) {
+            const SurfaceNoise noise({textons, map}, paramsOf(process));
+            for (int i = 0; i < 40; ++i) {
+                const bool right = i % 2 == 1;
+                const bool below = i / 2 % 2 == 1;
+                const glm::dvec3 point{random.uniform(30.0, 900.0) * (right ? 1.0 : -1.0),
+                                       random.uniform(30.0, 900.0) * (below ? -1.0 : 1.0),
+                                       random.uniform(-900.0, 900.0)};
+                const SurfaceNoise alone(
+                    textons[static_cast<std::size_t>((right ? 1 : 0) + (below ? 2 : 0))],
+                    paramsOf(process));
+                std::array<double, 2> values{};
+                std::array<double, 2> expected{};
+                noise.evaluate(point, i % 3 == 0 ? kAskew : kUpright, values);
+                alone.evaluate(point, i % 3 == 0 ? kAskew : kUpright, expected);
+                for (std::size_t c = 0; c < 2; ++c)
+                    TXN_AT_MOST(std::abs(values[c] - expected[c]), 1e-6);
+            }
+        }
+    }
+
+    void betweenTwoTextonsMeanAndVarianceAreBetweenTheirs() {
+        // Kernels of unlike strength: chance must not depend on which of them it is.
+        Texton a = makeTexton({1, 2, {5, 4}, 1, 44});
+        for (float& v : a.kernels[1].samples())
+            v *= 3.0F;
+        Texton b = makeTexton({1, 2, {5, 4}, 1, 45});
+        b.mean[0] = 2.5;
+        MixingMap map;
+        map.rho.at(0, 0, 0) = 0.3F;
+        const double mean = 0.7 * a.mean[0] + 0.3 * b.mean[0];
+        TestRandom random(9);
+        std::vector<double> values;
+        std::vector<double> squares;
+        for (std::uint32_t seed = 1; seed <= 6000; ++seed) {
+            const SurfaceNoise noise({{a, b}, map}, paramsOf(1, 24.0, seed));
+            double value = 0.0;
+            noise.evaluate({random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), 0.0},
+                           kAskew,
+                           {&value, 1});
+            values.push_back(value - mean);
+            squares.push_back((value - mean) * (value - mean));
+        }
+        const Estimate off = estimate(values);
+        // Positions are multiples of 1/1024.
+        TXN_AT_MOST(std::abs(off.mean), kSigmas * off.error + 2e-3);
+        const Estimate variance = estimate(squares);
+        TXN_AT_MOST(
+            std::abs(variance.mean - 0.7 * noiseCovariance(a)[0] - 0.3 * noiseCovariance(b)[0]),
+            kSigmas * variance.error);
+        TXN_AT_MOST(variance.error, 0.03 * variance.mean);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestSurfaceNoise)
