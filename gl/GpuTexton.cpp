@@ -2,9 +2,11 @@
 #include "gl/GpuTexton.h"
 
 #include "core/noise/FilterFade.h"
+#include "core/noise/Normalization.h"
 #include "core/spectral/BSpline.h"
 #include "gl/GlContext.h"
 #include "gl/GlErrors.h"
+#include "gl/NoiseUniforms.h"
 #include "gl/ShaderProgram.h"
 
 #include <algorithm>
@@ -24,8 +26,9 @@ namespace {
 constexpr double kSharpest = 1.0;
 constexpr double kRamp = 0.4;
 constexpr float kMostFetches = 16.0F; ///< along the longer side of a pixel
+constexpr int kMeansUnit = 10;        ///< above those of all passes
 
-/// Texels of one mipmap level: Q layers of rows of RGBA.
+/// Texels of one mipmap level: R Q layers of rows of RGBA.
 struct Level {
     Size size;
     std::size_t layers;
@@ -42,10 +45,11 @@ struct Level {
 };
 
 /// The coefficients, the first one at (start, start), zeros around them.
-Level coefficients(const Texton& texton, Size size, int start) {
-    Level level(size, texton.kernels.size());
+Level coefficients(std::span<const Texton> textons, Size size, int start) {
+    const std::size_t kernels = textons.front().kernels.size();
+    Level level(size, textons.size() * kernels);
     for (std::size_t q = 0; q < level.layers; ++q) {
-        const Image& kernel = texton.kernels[q];
+        const Image& kernel = textons[q / kernels].kernels[q % kernels];
         for (int y = 0; y < kernel.height(); ++y) {
             for (int x = 0; x < kernel.width(); ++x) {
                 for (int c = 0; c < kernel.channels(); ++c)
@@ -58,8 +62,9 @@ Level coefficients(const Texton& texton, Size size, int start) {
 
 /// Samples of the kernels at density texels per exemplar pixel, for orders whose kernels are
 /// smoother than what the hardware interpolates.
-Level samples(const Texton& texton, Size size, int density) {
-    const Level grid = coefficients(texton, texton.footprint(), texton.frame());
+Level samples(std::span<const Texton> textons, Size size, int density) {
+    const Texton& texton = textons.front();
+    const Level grid = coefficients(textons, texton.footprint(), texton.frame());
     // Along x, then along y, each by the weights of the B-spline at the texels' centres.
     const auto resampled = [&](Level from, Size to, bool alongX) {
         Level out(to, from.layers);
@@ -122,18 +127,88 @@ void upload(int number, const Level& level) {
                  level.texels.data());
 }
 
+/// Four channels of a pixel: one channel is shown as grey.
+void appendTexel(std::vector<float>& texels, std::span<const float> values) {
+    for (std::size_t c = 0; c < 4; ++c)
+        texels.push_back(values[values.size() == 1 ? 0 : std::min(c, values.size() - 1)]);
+}
+
+/// The tables of all textons side by side.
+GlHandle fadeTexture(const GlContext& context, std::span<const Texton> textons) {
+    std::vector<FilterFade> fades;
+    fades.reserve(textons.size());
+    for (const Texton& texton : textons)
+        fades.push_back(filterFade(texton));
+    const auto channels = static_cast<std::size_t>(fades.front().channels);
+    const std::size_t row = FilterFade::kMajor * channels;
+    std::vector<float> texels;
+    texels.reserve(textons.size() * fades.front().ratios.size() / channels * 4);
+    for (std::size_t start = 0; start < fades.front().ratios.size(); start += row) {
+        for (const FilterFade& fade : fades) {
+            for (std::size_t i = start; i < start + row; i += channels)
+                appendTexel(texels, std::span(fade.ratios).subspan(i, channels));
+        }
+    }
+    GlHandle texture = GlHandle::make(context, GlHandle::Kind::Texture);
+    glBindTexture(GL_TEXTURE_3D, texture.id());
+    glTexImage3D(GL_TEXTURE_3D,
+                 0,
+                 GL_RGBA32F,
+                 FilterFade::kMajor * static_cast<GLsizei>(textons.size()),
+                 FilterFade::kMinor,
+                 FilterFade::kAngles,
+                 0,
+                 GL_RGBA,
+                 GL_FLOAT,
+                 texels.data());
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_REPEAT);
+    glBindTexture(GL_TEXTURE_3D, 0);
+    return texture;
+}
+
+/// The means of the textons, a texel each, as pictures show them.
+GlHandle meanTexture(const GlContext& context, std::span<const Texton> textons) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(textons.size());
+    for (const Texton& texton : textons)
+        texels.push_back(channelScale({1.0, texton.mean}).offset);
+    GlHandle texture = GlHandle::make(context, GlHandle::Kind::Texture);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D,
+                 0,
+                 GL_RGBA32F,
+                 static_cast<GLsizei>(textons.size()),
+                 1,
+                 0,
+                 GL_RGBA,
+                 GL_FLOAT,
+                 texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
 } // namespace
 
-Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& texton, bool filtered) {
+Result<GpuTexton>
+GpuTexton::create(const GlContext& context, std::span<const Texton> textons, bool filtered) {
+    const Texton& texton = textons.front(); // what they have in common can be read from it
+    const auto layers = static_cast<int>(textons.size()) * texton.kernelCount();
     if (texton.channels() > 4)
         return Error{ErrorCode::Unsupported,
                      "at most 4 channels can be drawn at a time, not " +
                          std::to_string(texton.channels())};
-    if (texton.kernelCount() > context.maxTextureLayers())
+    if (layers > context.maxTextureLayers())
         return Error{ErrorCode::TooLarge,
                      "this graphics driver takes at most " +
-                         std::to_string(context.maxTextureLayers()) + " kernels, not " +
-                         std::to_string(texton.kernelCount())};
+                         std::to_string(context.maxTextureLayers()) +
+                         " kernels of all textons together, not " + std::to_string(layers)};
     const Size footprint = texton.footprint();
     // Smooth kernels need more samples than coefficients, as far as memory allows.
     const int smooth = std::max(footprint.width, footprint.height) <= 128 ? 4 : 2;
@@ -163,8 +238,8 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
     result.m_side = glm::vec2(size.width, size.height) / static_cast<float>(density);
     result.m_kernels = GlHandle::make(context, GlHandle::Kind::Texture);
     glBindTexture(GL_TEXTURE_2D_ARRAY, result.m_kernels.id());
-    Level level = density == 1 ? coefficients(texton, size, texton.frame() - start)
-                               : samples(texton, size, density);
+    Level level = density == 1 ? coefficients(textons, size, texton.frame() - start)
+                               : samples(textons, size, density);
     upload(0, level);
     int last = 0;
     while (filtered && (level.size.width > 1 || level.size.height > 1)) {
@@ -187,54 +262,41 @@ Result<GpuTexton> GpuTexton::create(const GlContext& context, const Texton& text
     }
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
 
-    if (filtered) {
-        const FilterFade fade = filterFade(texton);
-        const auto channels = static_cast<std::size_t>(fade.channels);
-        std::vector<float> texels;
-        texels.reserve(fade.ratios.size() / channels * 4);
-        for (std::size_t i = 0; i < fade.ratios.size(); i += channels) {
-            for (std::size_t c = 0; c < 4; ++c)
-                texels.push_back(fade.ratios[i + (channels == 1 ? 0 : std::min(c, channels - 1))]);
-        }
-        result.m_fades = GlHandle::make(context, GlHandle::Kind::Texture);
-        glBindTexture(GL_TEXTURE_3D, result.m_fades.id());
-        glTexImage3D(GL_TEXTURE_3D,
-                     0,
-                     GL_RGBA32F,
-                     FilterFade::kMajor,
-                     FilterFade::kMinor,
-                     FilterFade::kAngles,
-                     0,
-                     GL_RGBA,
-                     GL_FLOAT,
-                     texels.data());
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_REPEAT);
-        glBindTexture(GL_TEXTURE_3D, 0);
-    }
+    if (filtered)
+        result.m_fades = fadeTexture(context, textons);
+    if (textons.size() > 1)
+        result.m_means = meanTexture(context, textons);
     if (auto ok = checkGlMemory("the texton"); !ok)
         return ok.error();
     return result;
 }
 
-ShaderDefines GpuTexton::defines(const GlContext& context, Filter filter) const {
+ShaderDefines GpuTexton::commonDefines() const {
     if (!m_filtered)
-        return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}};
-    const bool hardware = filter == Filter::Hardware && context.maxAnisotropy() > 1.0F;
-    return {{"TXN_FILTER", hardware ? "1" : "3"},
+        return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}, {"TXN_FADES", "0"}};
+    return {{"TXN_FADE_MAJOR", std::to_string(FilterFade::kMajor)},
             {"TXN_FADE_MINOR", std::to_string(FilterFade::kMinorOctaves)}};
 }
 
-ShaderDefines GpuTexton::definesOneScale(Filter filter, double pixelSide) const {
+ShaderDefines GpuTexton::defines(const GlContext& context, Filter filter) const {
+    ShaderDefines defines = commonDefines();
     if (!m_filtered)
-        return {{"TXN_FILTER", "0"}, {"TXN_ORDER", std::to_string(m_order)}};
-    return {{"TXN_FILTER", "2"},
-            {"TXN_FETCHES", std::to_string(oneScale(filter, pixelSide).fetches)},
-            {"TXN_FADE_MINOR", std::to_string(FilterFade::kMinorOctaves)}};
+        return defines;
+    const bool hardware = filter == Filter::Hardware && context.maxAnisotropy() > 1.0F;
+    defines.emplace_back("TXN_FILTER", hardware ? "1" : "3");
+    defines.emplace_back("TXN_FADES", "1");
+    return defines;
+}
+
+ShaderDefines GpuTexton::definesOneScale(Filter filter, double pixelSide) const {
+    ShaderDefines defines = commonDefines();
+    if (!m_filtered)
+        return defines;
+    const bool fades = pixelSide > static_cast<double>(std::max(m_footprint.x, m_footprint.y));
+    defines.emplace_back("TXN_FILTER", "2");
+    defines.emplace_back("TXN_FETCHES", std::to_string(oneScale(filter, pixelSide).fetches));
+    defines.emplace_back("TXN_FADES", fades ? "1" : "0");
+    return defines;
 }
 
 GpuTexton::OneScale GpuTexton::oneScale(Filter filter, double pixelSide) const {
@@ -271,6 +333,11 @@ void GpuTexton::setMinFilter(bool mipmaps) const {
 void GpuTexton::apply(ShaderProgram& program, const GlContext& context, Filter filter) const {
     program.set("txnKernels", 0);
     program.set("txnFootprint", m_footprint);
+    if (m_means) {
+        program.set("txnMeans", kMeansUnit);
+        glActiveTexture(GL_TEXTURE0 + kMeansUnit);
+        glBindTexture(GL_TEXTURE_2D, m_means.id());
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, m_kernels.id());
     if (!m_filtered)
@@ -317,6 +384,8 @@ void GpuTexton::applyOneScale(ShaderProgram& program,
 }
 
 void GpuTexton::unbind() {
+    glActiveTexture(GL_TEXTURE0 + kMeansUnit);
+    glBindTexture(GL_TEXTURE_2D, 0);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_3D, 0);
     glActiveTexture(GL_TEXTURE0);

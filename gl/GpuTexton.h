@@ -7,14 +7,16 @@
 #include "gl/ShaderLibrary.h"
 
 #include <glm/vec2.hpp>
+#include <span>
 
 namespace txn {
 
 class ShaderProgram;
 
-/// A texton on the graphics card, as the shaders of resources/shaders want it: its kernels in an
-/// array texture, for exact weights (coefficients) or for filtering by the hardware (samples of the
-/// kernels with all mipmaps). One channel is shown as grey. Move-only.
+/// A texton, or those of a mixture, on the graphics card, as the shaders of resources/shaders want
+/// them: their kernels, one texton's after the other's, in an array texture, for exact weights
+/// (coefficients) or for filtering by the hardware (samples of the kernels with all mipmaps). One
+/// channel is shown as grey. Move-only.
 class GpuTexton {
   public:
     /// A texel of a mipmap and the interpolation between texels blur more than a pixel of that size
@@ -23,14 +25,15 @@ class GpuTexton {
 
     GpuTexton() = default;
 
-    /// texton: 1 to 4 channels. Errors: Unsupported for more; TooLarge for what the driver cannot
-    /// hold.
+    /// textons: checked by checkMixedTextons, 1 to 4 channels. Errors: Unsupported for more;
+    /// TooLarge for what the driver cannot hold.
     [[nodiscard]] static Result<GpuTexton>
-    create(const GlContext& context, const Texton& texton, bool filtered);
+    create(const GlContext& context, std::span<const Texton> textons, bool filtered);
 
     /// What shaders have to be compiled with.
     ShaderDefines defines(const GlContext& context, Filter filter) const;
-    /// Binds the textures (units 0 and 1) and sets the uniforms of kernel.glsl and filter.glsl.
+    /// Binds the textures (units 0 and 1, and 10 with the means of several textons) and sets the
+    /// uniforms of kernel.glsl and filter.glsl.
     void apply(ShaderProgram& program, const GlContext& context, Filter filter) const;
 
     /// The same where all pixels of the picture are equally large on the plane, squares of the
@@ -49,10 +52,11 @@ class GpuTexton {
                        Filter filter,
                        const glm::dvec2& right,
                        const glm::dvec2& down) const;
-    /// Leaves both texture units empty.
+    /// Leaves the texture units empty.
     static void unbind();
 
   private:
+    ShaderDefines commonDefines() const;
     void setMinFilter(bool mipmaps) const;
     /// How square pixels of one size are filtered.
     struct OneScale {
@@ -71,6 +75,7 @@ class GpuTexton {
     glm::vec2 m_side{0.0F};   ///< what the texture spans, in exemplar pixels
     GlHandle m_kernels;
     GlHandle m_fades;
+    GlHandle m_means; ///< only of several textons
 };
 
 } // namespace txn

@@ -40,6 +40,18 @@ MaterialTextons materialTextons(const Texton& texton, const MaterialMaps& maps) 
             std::make_shared<const Texton>(withChannels(texton, relief))};
 }
 
+MixedMaterial mixedMaterial(std::span<const Texton> textons, const MaterialMaps& maps) {
+    std::vector<Texton> bases;
+    std::vector<Texton> reliefs;
+    for (const Texton& texton : textons) {
+        const MaterialTextons material = materialTextons(texton, maps);
+        bases.push_back(*material.base);
+        reliefs.push_back(*material.relief);
+    }
+    return {std::make_shared<const std::vector<Texton>>(std::move(bases)),
+            std::make_shared<const std::vector<Texton>>(std::move(reliefs))};
+}
+
 Texton mapTexton(const Texton& texton, const MaterialMaps& maps, std::size_t map) {
     constexpr int kMostDrawn = 4;
     std::vector<ChannelSource> channels;

@@ -5,6 +5,8 @@
 #include "core/texton/Texton.h"
 
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace txn {
 
@@ -18,6 +20,14 @@ struct MaterialTextons {
 
 /// maps: of the texton's channels, not empty.
 [[nodiscard]] MaterialTextons materialTextons(const Texton& texton, const MaterialMaps& maps);
+
+/// The same of all textons of a mixture.
+struct MixedMaterial {
+    std::shared_ptr<const std::vector<Texton>> bases;
+    std::shared_ptr<const std::vector<Texton>> reliefs;
+};
+[[nodiscard]] MixedMaterial mixedMaterial(std::span<const Texton> textons,
+                                          const MaterialMaps& maps);
 
 /// The channels of one map, as far as they can be drawn at a time (4).
 [[nodiscard]] Texton mapTexton(const Texton& texton, const MaterialMaps& maps, std::size_t map);

@@ -20,6 +20,21 @@ ShaderDefines mappingDefines(bool surface) {
     return {{"TXN_SURFACE", surface ? "1" : "0"}};
 }
 
+void setPlaneNoise(ShaderProgram& shader, const NoiseSource& source) {
+    setNoiseUniforms(shader, source.first(), source.style.noise);
+    applyPlaneField(shader, source, source.impulses(), glm::ivec2(0));
+}
+
+void setSurfaceNoise(ShaderProgram& shader, const NoiseSource& source) {
+    const Texton& first = source.first();
+    setSurfaceNoiseUniforms(shader, first, source.style.noise);
+    const SurfaceImpulses impulses(source.style.noise, first.footprint(), first.kernelCount());
+    // As seen from the front: the map's y points down.
+    if (source.field != nullptr)
+        source.field->apply(shader,
+                            {glm::ivec2(0), {impulses.cell(), -impulses.cell()}, glm::dvec2(0.0)});
+}
+
 /// The light hangs above the camera's left shoulder.
 glm::vec3 towardsLight(const OrbitCamera& camera) {
     const double yaw = camera.yaw - 0.7;
@@ -109,7 +124,7 @@ Result<void> MeshPass::draw(const NoiseSource& source,
     addNoiseDefines(defines, source.style.noise);
     for (auto& define : mappingDefines(surface))
         defines.push_back(std::move(define));
-    addMaterialDefines(defines, source);
+    addSourceDefines(defines, source);
     defines.emplace_back("TXN_SMOOTH", smooth ? "1" : "0");
     auto program = m_noise.get(context, defines);
     if (!program)
@@ -118,11 +133,11 @@ Result<void> MeshPass::draw(const NoiseSource& source,
     shader.use();
     source.gpu.apply(shader, context, source.style.filter);
     if (surface)
-        setSurfaceNoiseUniforms(shader, source.texton, source.style.noise);
+        setSurfaceNoise(shader, source);
     else
-        setNoiseUniforms(shader, source.texton, source.style.noise);
+        setPlaneNoise(shader, source);
     shader.set("lighting", view.lighting ? 1 : 0);
-    shader.set("encoded", source.texton.transfer == Transfer::Encoded ? 1 : 0);
+    shader.set("encoded", source.first().transfer == Transfer::Encoded ? 1 : 0);
     if (source.reliefTexture == 0) {
         shader.set("toLight", towardsLight(view.camera));
     } else {
@@ -130,7 +145,7 @@ Result<void> MeshPass::draw(const NoiseSource& source,
         applyMaterial(shader, source, toMesh * source.style.light.direction());
         shader.set("toEye", glm::vec3(toMesh[2])); // as if from far away
     }
-    shader.set("background", pictureColor(view.background, source.texton.transfer));
+    shader.set("background", pictureColor(view.background, source.first().transfer));
     int unit = kFirstUnit;
     for (const char* name : {"seenPoint", "seenNormal", "seenRight", "seenSteps", "coverage"})
         shader.set(name, unit++);

@@ -2,6 +2,7 @@
 #include "gl/NoiseRenderer.h"
 
 #include "core/mesh/TangentField.h"
+#include "core/noise/MixedProcess.h"
 #include "gl/AveragePass.h"
 #include "gl/CleanState.h"
 #include "gl/FramebufferScope.h"
@@ -23,9 +24,9 @@ struct NoiseRenderer::MeshData {
     bool hasTextureCoordinates = false;
 };
 
-/// A texton, and what of it is on the card.
-struct NoiseRenderer::CardTexton {
-    std::shared_ptr<const Texton> texton;
+/// Textons, and what of them is on the card.
+struct NoiseRenderer::CardTextons {
+    SharedTextons textons;
     std::optional<GpuTexton> exact;
     std::optional<GpuTexton> filtered;
 };
@@ -35,8 +36,9 @@ struct NoiseRenderer::Card {
     std::weak_ptr<const void> life;
     std::shared_ptr<const MeshData> mesh;
 
-    CardTexton base;
-    CardTexton relief;
+    CardTextons base;
+    CardTextons relief;
+    GpuField field;
     std::optional<GpuMesh> gpuMesh;
     OffscreenTarget sample;
     OffscreenTarget reliefPicture;
@@ -50,6 +52,8 @@ struct NoiseRenderer::Card {
         return !life.owner_before(context.life()) && !context.life().owner_before(life);
     }
 
+    NoiseSource
+    source(const GlContext& context, const CardTextons& from, const NoiseStyle& style) const;
     Result<void> drawOnce(const NoiseSource& source,
                           const View& view,
                           const OffscreenTarget& target,
@@ -131,11 +135,23 @@ NoiseRenderer& NoiseRenderer::operator=(NoiseRenderer&&) noexcept = default;
 NoiseRenderer::~NoiseRenderer() = default;
 
 void NoiseRenderer::setTexton(std::shared_ptr<const Texton> texton) {
-    m_texton = std::move(texton);
+    m_textons = SharedTextons(std::move(texton));
 }
 
 void NoiseRenderer::setRelief(std::shared_ptr<const Texton> relief) {
-    m_relief = std::move(relief);
+    m_reliefs = SharedTextons(std::move(relief));
+}
+
+void NoiseRenderer::setTextons(std::shared_ptr<const std::vector<Texton>> textons) {
+    m_textons = SharedTextons(std::move(textons));
+}
+
+void NoiseRenderer::setReliefs(std::shared_ptr<const std::vector<Texton>> reliefs) {
+    m_reliefs = SharedTextons(std::move(reliefs));
+}
+
+void NoiseRenderer::setField(std::shared_ptr<const TextonField> field) {
+    m_field = std::move(field);
 }
 
 void NoiseRenderer::setMesh(std::shared_ptr<const TriangleMesh> mesh) {
@@ -153,15 +169,22 @@ void NoiseRenderer::setMesh(std::shared_ptr<const TriangleMesh> mesh) {
 }
 
 Result<void> NoiseRenderer::upload(const GlContext& context,
-                                   CardTexton& card,
-                                   const std::shared_ptr<const Texton>& texton,
+                                   CardTextons& card,
+                                   const SharedTextons& textons,
                                    bool filtered) {
-    if (card.texton != texton)
-        card = {texton, {}, {}};
+    if (card.textons != textons) {
+        card = {};
+        if (textons.empty())
+            return {};
+        // Once for each list, since it looks at all coefficients.
+        if (auto ok = checkMixedTextons(textons.list()); !ok)
+            return ok.error();
+        card.textons = textons;
+    }
     auto& wanted = filtered ? card.filtered : card.exact;
-    if (!texton || wanted)
+    if (textons.empty() || wanted)
         return {};
-    auto made = GpuTexton::create(context, *texton, filtered);
+    auto made = GpuTexton::create(context, textons.list(), filtered);
     if (!made)
         return made.error();
     wanted = std::move(*made);
@@ -180,10 +203,14 @@ NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseSt
     if (!m_card)
         m_card = std::make_unique<Card>(context);
     const bool filtered = style.filter != Filter::None;
-    if (auto ok = upload(context, m_card->base, m_texton, filtered); !ok)
+    if (auto ok = upload(context, m_card->base, m_textons, filtered); !ok)
         return ok.error();
-    if (auto ok = upload(context, m_card->relief, m_relief, filtered); !ok)
+    if (auto ok = upload(context, m_card->relief, m_reliefs, filtered); !ok)
         return ok.error();
+    if (m_textons.list().size() > 1) {
+        if (auto ok = m_card->field.hold(context, m_field); !ok)
+            return ok.error();
+    }
     if (std::holds_alternative<MeshView>(view) && m_card->mesh != m_mesh) {
         m_card->gpuMesh.reset();
         m_card->mesh.reset();
@@ -195,6 +222,30 @@ NoiseRenderer::prepare(const GlContext& context, const View& view, const NoiseSt
         m_card->mesh = m_mesh;
     }
     return {};
+}
+
+/// Refuses what SpotNoise does, and a field or a relief of other textons.
+Result<void> NoiseRenderer::checkField(const NoiseParams& params) const {
+    const std::size_t count = m_textons.list().size();
+    if (!m_reliefs.empty() && m_reliefs.list().size() != count)
+        return Error{ErrorCode::SizeMismatch,
+                     "a material needs as many textons for its relief as for its colours"};
+    if (count == 1)
+        return {};
+    if (!m_field || static_cast<std::size_t>(m_field->textonCount()) != count)
+        return Error{ErrorCode::InvalidArgument,
+                     "a mixture needs a map that leads to all of its textons"};
+    return checkMixing(count, m_field->placement(), m_field->boundary(), params);
+}
+
+NoiseSource NoiseRenderer::Card::source(const GlContext& context,
+                                        const CardTextons& from,
+                                        const NoiseStyle& style) const {
+    return {context,
+            from.textons.list(),
+            style.filter != Filter::None ? *from.filtered : *from.exact,
+            from.textons.list().size() > 1 ? &field : nullptr,
+            style};
 }
 
 Result<void> NoiseRenderer::Card::drawOnce(const NoiseSource& source,
@@ -224,7 +275,7 @@ Result<void> NoiseRenderer::Card::drawShaded(NoiseSource source,
                                              const View& view,
                                              const OffscreenTarget& target,
                                              glm::dvec2 shift) {
-    if (!relief.texton)
+    if (relief.textons.empty())
         return drawOnce(source, view, target, shift);
     if (!reliefPicture || reliefPicture.size() != target.size()) {
         reliefPicture = {};
@@ -233,11 +284,7 @@ Result<void> NoiseRenderer::Card::drawShaded(NoiseSource source,
             return made.error();
         reliefPicture = std::move(*made);
     }
-    const bool filtered = source.style.filter != Filter::None;
-    const NoiseSource maps{source.context,
-                           *relief.texton,
-                           filtered ? *relief.filtered : *relief.exact,
-                           source.style};
+    const NoiseSource maps = this->source(source.context, relief, source.style);
     View plain = view;
     if (auto* onMesh = std::get_if<MeshView>(&plain))
         onMesh->lighting = false;
@@ -285,8 +332,10 @@ Result<void> NoiseRenderer::draw(const GlContext& context,
         return ok.error();
     if (auto ok = checkView(view); !ok)
         return ok.error();
-    if (!m_texton)
+    if (m_textons.empty())
         return Error{ErrorCode::InvalidArgument, "there is no texton to draw"};
+    if (auto ok = checkField(style.noise); !ok)
+        return ok.error();
     if (const auto* meshView = std::get_if<MeshView>(&view)) {
         if (!m_mesh || m_mesh->mesh->triangles.empty())
             return Error{ErrorCode::InvalidArgument, "there is no mesh to draw on"};
@@ -300,14 +349,11 @@ Result<void> NoiseRenderer::draw(const GlContext& context,
     const ScissorScope onlyPart(part, target.size());
     if (auto ok = prepare(context, view, style); !ok)
         return ok.error();
-    const bool filtered = style.filter != Filter::None;
-    const NoiseSource source{context,
-                             *m_texton,
-                             filtered ? *m_card->base.filtered : *m_card->base.exact,
-                             style};
+    const NoiseSource source = m_card->source(context, m_card->base, style);
     auto result = style.supersampling > 1 ? m_card->drawAveraged(source, view, target)
                                           : m_card->drawShaded(source, view, target, {0.0, 0.0});
     GpuTexton::unbind();
+    GpuField::unbind();
     glUseProgram(0);
     return result;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/mesh/TriangleMesh.h"
+#include "core/mixing/TextonField.h"
 #include "core/texton/Texton.h"
 #include "gl/NoiseStyle.h"
 #include "gl/OffscreenTarget.h"
+#include "gl/SharedTextons.h"
 #include "gl/View.h"
 
 #include <memory>
@@ -12,10 +14,10 @@
 
 namespace txn {
 
-/// Draws texton noise: the same noise as SpotNoise and NoiseGrid, in any view. What it draws is set
-/// without a context; what that needs on the graphics card is made when it is drawn, and made again
-/// once that context is gone. To move to another context while the old one lives, release() in the
-/// old one first. Move-only; draw() and release() belong to the context's thread.
+/// Draws noise of textons and mixtures: that of SpotNoise and NoiseGrid, in any view. What it draws
+/// is set without a context; what that needs on the graphics card is made when it is drawn, and
+/// made again once that context is gone. To move to another context while the old one lives,
+/// release() in the old one first. Move-only; draw() and release() belong to the context's thread.
 class NoiseRenderer {
   public:
     NoiseRenderer();
@@ -30,6 +32,13 @@ class NoiseRenderer {
     /// Set: the texton's first four channels are the base of a material, which is shaded under the
     /// style's light (see MaterialTextons). Null: nothing is shaded but meshes.
     void setRelief(std::shared_ptr<const Texton> relief);
+    /// The same for a mixture: textons as checkMixedTextons takes them, as many in the relief. They
+    /// are uploaded when they are first drawn; which of them each place takes can be changed
+    /// without uploading them again.
+    void setTextons(std::shared_ptr<const std::vector<Texton>> textons);
+    void setReliefs(std::shared_ptr<const std::vector<Texton>> reliefs);
+    /// Only looked at where there are several textons.
+    void setField(std::shared_ptr<const TextonField> field);
     /// For mesh views. Computes its tangent field, which may take a moment.
     void setMesh(std::shared_ptr<const TriangleMesh> mesh);
 
@@ -53,16 +62,18 @@ class NoiseRenderer {
     struct Card;
     struct MeshData;
 
-    struct CardTexton;
+    struct CardTextons;
 
     static Result<void> upload(const GlContext& context,
-                               CardTexton& card,
-                               const std::shared_ptr<const Texton>& texton,
+                               CardTextons& card,
+                               const SharedTextons& textons,
                                bool filtered);
+    [[nodiscard]] Result<void> checkField(const NoiseParams& params) const;
     Result<void> prepare(const GlContext& context, const View& view, const NoiseStyle& style);
 
-    std::shared_ptr<const Texton> m_texton;
-    std::shared_ptr<const Texton> m_relief;
+    SharedTextons m_textons;
+    SharedTextons m_reliefs;
+    std::shared_ptr<const TextonField> m_field;
     std::shared_ptr<const MeshData> m_mesh;
     std::unique_ptr<Card> m_card;
 };

@@ -15,11 +15,13 @@ namespace txn {
 namespace {
 
 /// Tells the shader in which cell a point lies, and where in it; cells as the hash counts them.
-void setBase(ShaderProgram& program, const ImpulseProcess& impulses, glm::dvec2 point) {
+void setBase(ShaderProgram& program, const NoiseSource& source, glm::dvec2 point) {
+    const ImpulseProcess impulses = source.impulses();
     const glm::dvec2 place = point / glm::dvec2(impulses.cellWidth(), impulses.cellHeight());
     const glm::dvec2 cell = glm::floor(place);
     program.set("baseCell", glm::ivec2(cell));
     program.set("basePlace", glm::vec2(place - cell));
+    applyPlaneField(program, source, impulses, glm::ivec2(cell));
 }
 
 /// value to about 11 bits, the last one the same for all of a picture's steps: its products with
@@ -37,7 +39,40 @@ constexpr int kReliefUnit = 7; ///< above those of all passes
 
 }
 
-void addMaterialDefines(ShaderDefines& defines, const NoiseSource& source) {
+void applyPlaneField(ShaderProgram& shader,
+                     const NoiseSource& source,
+                     const ImpulseProcess& impulses,
+                     glm::ivec2 base) {
+    if (source.field != nullptr)
+        source.field->apply(
+            shader,
+            {base, {impulses.cellWidth(), impulses.cellHeight()}, 0.5 * source.footprint()});
+}
+
+void applyPlanePlace(ShaderProgram& shader,
+                     const NoiseSource& source,
+                     const PlaneMap& map,
+                     Size size,
+                     glm::dvec2 shift) {
+    setBase(shader, source, map.middle + shift.x * map.right + shift.y * map.down);
+    const ImpulseProcess impulses = source.impulses();
+    const glm::dvec2 cell{impulses.cellWidth(), impulses.cellHeight()};
+    const glm::dvec2 right = map.right / cell;
+    const glm::dvec2 down = map.down / cell;
+    const glm::dvec2 sizes = glm::max(glm::abs(right), glm::abs(down));
+    const double largest = std::max(sizes.x, sizes.y);
+    const glm::dvec2 rightHigh = coarse(right, largest);
+    const glm::dvec2 downHigh = coarse(down, largest);
+    shader.set("middle", middlePixel(size));
+    shader.set("rightHigh", glm::vec2(rightHigh));
+    shader.set("rightLow", glm::vec2(right - rightHigh));
+    shader.set("downHigh", glm::vec2(downHigh));
+    shader.set("downLow", glm::vec2(down - downHigh));
+}
+
+void addSourceDefines(ShaderDefines& defines, const NoiseSource& source) {
+    if (source.field != nullptr)
+        source.field->addDefines(defines);
     defines.emplace_back("TXN_MATERIAL", source.reliefTexture != 0 ? "1" : "0");
 }
 
@@ -76,31 +111,18 @@ Result<void>
 PlanePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm::dvec2 shift) {
     ShaderDefines defines = source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom);
     addNoiseDefines(defines, source.style.noise);
-    addMaterialDefines(defines, source);
+    addSourceDefines(defines, source);
     auto program = m_above.get(source.context, defines);
     if (!program)
         return program.error();
     ShaderProgram& shader = **program;
     shader.use();
-    setNoiseUniforms(shader, source.texton, source.style.noise);
-    const ImpulseProcess impulses = source.impulses();
+    setNoiseUniforms(shader, source.first(), source.style.noise);
     const PlaneMap map = planeMap(view, size);
     source.gpu.applyOneScale(shader, source.context, source.style.filter, map.right, map.down);
     applyPlaneMaterial(shader, source, map.right, map.down);
-    setBase(shader, impulses, map.middle + shift.x * map.right + shift.y * map.down);
-    const glm::dvec2 cell{impulses.cellWidth(), impulses.cellHeight()};
-    const glm::dvec2 right = map.right / cell;
-    const glm::dvec2 down = map.down / cell;
-    const glm::dvec2 sizes = glm::max(glm::abs(right), glm::abs(down));
-    const double largest = std::max(sizes.x, sizes.y);
-    const glm::dvec2 rightHigh = coarse(right, largest);
-    const glm::dvec2 downHigh = coarse(down, largest);
-    shader.set("middle", middlePixel(size));
+    applyPlanePlace(shader, source, map, size, shift);
     shader.set("height", size.height);
-    shader.set("rightHigh", glm::vec2(rightHigh));
-    shader.set("rightLow", glm::vec2(right - rightHigh));
-    shader.set("downHigh", glm::vec2(downHigh));
-    shader.set("downLow", glm::vec2(down - downHigh));
     m_triangle.draw(source.context);
     return {};
 }
@@ -109,25 +131,24 @@ Result<void>
 PlanePass::draw(const NoiseSource& source, const GroundView& view, Size size, glm::dvec2 shift) {
     ShaderDefines defines = source.gpu.defines(source.context, source.style.filter);
     addNoiseDefines(defines, source.style.noise);
-    addMaterialDefines(defines, source);
+    addSourceDefines(defines, source);
     auto program = m_ground.get(source.context, defines);
     if (!program)
         return program.error();
     ShaderProgram& shader = **program;
     shader.use();
     source.gpu.apply(shader, source.context, source.style.filter);
-    setNoiseUniforms(shader, source.texton, source.style.noise);
-    const ImpulseProcess impulses = source.impulses();
+    setNoiseUniforms(shader, source.first(), source.style.noise);
     const GroundMap map = groundMap(view, size);
     applyMaterial(shader, source, map.fromView * source.style.light.direction());
     shader.set("eye", glm::vec3(map.eye));
-    setBase(shader, impulses, map.base);
+    setBase(shader, source, map.base);
     shader.set("middle", middlePixel(size));
     shader.set("height", size.height);
     shader.set("rayMiddle", glm::vec3(map.middle + shift.x * map.right + shift.y * map.down));
     shader.set("rayRight", glm::vec3(map.right));
     shader.set("rayDown", glm::vec3(map.down));
-    shader.set("background", pictureColor(view.background, source.texton.transfer));
+    shader.set("background", pictureColor(view.background, source.first().transfer));
     m_triangle.draw(source.context);
     return {};
 }

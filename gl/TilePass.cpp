@@ -25,7 +25,7 @@ constexpr int kStartUnit = 3;
 struct Entry {
     float x;
     float y;
-    float signedKernel;
+    float signedLayer;
     float unused;
 };
 
@@ -40,12 +40,24 @@ struct Box {
     glm::dvec2 high;
 };
 
+/// The layer in which the kernel of an impulse lies, counted from 1, with the impulse's sign.
+float signedLayer(const Impulse& impulse, const NoiseSource& source, glm::dvec2 footprint) {
+    int layer = impulse.kernel + 1;
+    if (source.field != nullptr)
+        layer += source.first().kernelCount() *
+                 source.field->field().textonAt(impulse.x + 0.5 * footprint.x,
+                                                impulse.y + 0.5 * footprint.y,
+                                                impulse.choice);
+    return static_cast<float>(impulse.sign < 0.0F ? -layer : layer);
+}
+
 /// For every tile, the impulses whose kernels meet it.
-Lists tileLists(const ImpulseProcess& impulses,
+Lists tileLists(const NoiseSource& source,
                 const PlaneMap& map,
                 Size size,
-                glm::dvec2 footprint,
                 const GpuTexton::Reach& reach) {
+    const ImpulseProcess impulses = source.impulses();
+    const glm::dvec2 footprint = source.footprint();
     const int across = (size.width + kTileSide - 1) / kTileSide;
     const int down = (size.height + kTileSide - 1) / kTileSide;
     const glm::dvec2 middle = glm::dvec2(middlePixel(size)) + 0.5;
@@ -78,11 +90,12 @@ Lists tileLists(const ImpulseProcess& impulses,
                                glm::floor((at - before + around.low) / double{kTileSide});
                            const glm::dvec2 last =
                                glm::floor((at - before + around.high) / double{kTileSide});
+                           const float layer = signedLayer(impulse, source, footprint);
                            const int x1 = static_cast<int>(std::min(last.x, across - 1.0));
                            const int y1 = static_cast<int>(std::min(last.y, down - 1.0));
                            for (int y = static_cast<int>(std::max(first.y, 0.0)); y <= y1; ++y) {
                                for (int x = static_cast<int>(std::max(first.x, 0.0)); x <= x1; ++x)
-                                   use(x, y, at, impulse);
+                                   use(x, y, at, layer);
                            }
                        });
     };
@@ -94,17 +107,15 @@ Lists tileLists(const ImpulseProcess& impulses,
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(across) +
                static_cast<std::size_t>(x);
     };
-    visit([&](int x, int y, const glm::dvec2&, const Impulse&) { ++lists.starts[list(x, y) + 1]; });
+    visit([&](int x, int y, const glm::dvec2&, float) { ++lists.starts[list(x, y) + 1]; });
     std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
     lists.entries.resize(static_cast<std::size_t>(lists.starts.back()));
     std::vector<std::int32_t> next(lists.starts.begin(), lists.starts.end() - 1);
-    visit([&](int x, int y, const glm::dvec2& at, const Impulse& impulse) {
+    visit([&](int x, int y, const glm::dvec2& at, float layer) {
         const glm::dvec2 place = at - double{kTileSide} * glm::dvec2(x, y);
-        const auto kernel = static_cast<float>(impulse.kernel + 1);
         lists.entries[static_cast<std::size_t>(next[list(x, y)]++)] = {static_cast<float>(place.x),
                                                                        static_cast<float>(place.y),
-                                                                       impulse.sign < 0.0F ? -kernel
-                                                                                           : kernel,
+                                                                       layer,
                                                                        0.0F};
     });
     return lists;
@@ -113,9 +124,8 @@ Lists tileLists(const ImpulseProcess& impulses,
 } // namespace
 
 bool TilePass::suits(const PlaneView& view, const NoiseSource& source, Size size) {
-    const Size footprint = source.texton.footprint();
-    const double width = footprint.width * view.zoom;
-    const double height = footprint.height * view.zoom;
+    const double width = source.footprint().x * view.zoom;
+    const double height = source.footprint().y * view.zoom;
     if (std::min(width, height) < kSmallestFootprintPx)
         return false;
     // A tile meets the footprints of a rectangle as much larger; turned, of one up to twice as
@@ -152,18 +162,15 @@ TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm:
     const GlContext& context = source.context;
     PlaneMap map = planeMap(view, size);
     map.middle += shift.x * map.right + shift.y * map.down;
-    const ImpulseProcess impulses = source.impulses();
-    const Size footprint = source.texton.footprint();
-    Lists lists = tileLists(impulses,
+    Lists lists = tileLists(source,
                             map,
                             size,
-                            {footprint.width, footprint.height},
                             source.gpu.reachOneScale(source.style.filter, 1.0 / view.zoom));
     if (lists.entries.empty())
         lists.entries.emplace_back(); // a buffer may not be empty
 
     ShaderDefines defines = source.gpu.definesOneScale(source.style.filter, 1.0 / view.zoom);
-    addMaterialDefines(defines, source);
+    addSourceDefines(defines, source);
     auto program = m_shaders.get(context, defines);
     if (!program)
         return program.error();
@@ -171,7 +178,9 @@ TilePass::draw(const NoiseSource& source, const PlaneView& view, Size size, glm:
     shader.use();
     source.gpu.applyOneScale(shader, context, source.style.filter, map.right, map.down);
     applyPlaneMaterial(shader, source, map.right, map.down);
-    const ChannelScale scale = channelScale(normalization(source.texton, impulses));
+    if (source.field != nullptr)
+        applyPlanePlace(shader, source, map, size, {0.0, 0.0}); // it is in the map already
+    const ChannelScale scale = channelScale(normalization(source.first(), source.impulses()));
     shader.set("txnGain", scale.gain);
     shader.set("txnOffset", scale.offset);
     shader.set("pictureToPlane", glm::mat2(glm::dmat2(map.right, map.down)));

@@ -5,12 +5,13 @@
 // 1: the ellipse of its own shape on the plane, by the hardware's anisotropic filter;
 // 2: the same square all over the picture, by TXN_FETCHES (1 or 4) fetches from mipmaps;
 // 3: as 1, by several fetches along the ellipse's longer axis.
+// TXN_FADES 0: pixels are known not to be larger than footprints.
 struct TxnPixel {
     vec2 dx; // steps in exemplar pixels to the next pixel of the picture
     vec2 dy;
     vec2 before; // how far outside its footprint a filtered kernel reaches, to the left and up
     vec2 after;  // and to the right and down
-    vec4 fade;   // by what the fluctuation has to be scaled
+    vec4 fade;   // by what the fluctuation has to be scaled; of a mixture: see txnFadeOf
     vec2 axis;   // of the ellipse, the longer one, as long as the pixel is there
     float level;
     int fetches;
@@ -21,21 +22,39 @@ uniform vec2 txnFootprint; // in exemplar pixels
 #if TXN_FILTER
 uniform float txnReach;     // the longer side of the footprint
 uniform float txnStart;     // where in the footprint the texture of a kernel begins
-uniform sampler3D txnFades; // see FilterFade.h
+uniform sampler3D txnFades; // see FilterFade.h; of several textons, side by side
 
 // Beyond one footprint the filter grows no further, since the number of impulses to look at would,
 // too; what is still to be averaged only makes the fluctuation fainter, by a factor known from the
-// covariance of the noise. a >= b: axes of the ellipse, angle: of the longer one.
-vec4 txnFade(float a, float b, float angle) {
+// covariance of the noise. a >= b: axes of the ellipse, angle: of the longer one. Where in a table
+// that factor is, and by what to scale it besides; the latter is 0 where nothing gets fainter.
+vec4 txnFadePlace(float a, float b, float angle) {
     if (a <= txnReach)
-        return vec4(1.0);
-    vec3 size = vec3(textureSize(txnFades, 0));
+        return vec4(0.0);
+    vec3 size = vec3(TXN_FADE_MAJOR, textureSize(txnFades, 0).yz);
     vec2 octaves = log2(vec2(a, max(b, 1e-6)) / txnReach) + vec2(0.0, float(TXN_FADE_MINOR));
     vec2 beyond = max(octaves - (size.xy - 1.0), 0.0);
-    return textureLod(txnFades,
-                      vec3((octaves + 0.5) / size.xy, angle / 3.14159265 + 0.5 / size.z),
-                      0.0) *
-           exp2(-0.5 * (beyond.x + beyond.y));
+    return vec4(min(octaves.x, size.x - 1.0) + 0.5,
+                (octaves.y + 0.5) / size.y,
+                angle / 3.14159265 + 0.5 / size.z,
+                exp2(-0.5 * (beyond.x + beyond.y)));
+}
+
+vec4 txnFadeAt(int texton, vec4 place) {
+    if (place.w == 0.0)
+        return vec4(1.0);
+    float x = float(texton * TXN_FADE_MAJOR) + place.x;
+    return textureLod(txnFades, vec3(x / float(textureSize(txnFades, 0).x), place.yz), 0.0) *
+           place.w;
+}
+
+vec4 txnFade(float a, float b, float angle) {
+    vec4 place = txnFadePlace(a, b, angle);
+#ifdef TXN_MIXED
+    return place;
+#else
+    return txnFadeAt(0, place);
+#endif
 }
 
 #if TXN_FILTER == 2
@@ -92,5 +111,16 @@ TxnPixel txnPixel(vec2 dx, vec2 dy) {
 #else
 TxnPixel txnPixel(vec2 dx, vec2 dy) {
     return TxnPixel(dx, dy, vec2(0.0), vec2(0.0), vec4(1.0), vec2(0.0), 0.0, 1);
+}
+#endif
+
+#ifdef TXN_MIXED
+// By what an impulse of one of the textons has to be scaled.
+vec4 txnFadeOf(int texton, TxnPixel pixel) {
+#if TXN_FADES
+    return txnFadeAt(texton, pixel.fade);
+#else
+    return vec4(1.0);
+#endif
 }
 #endif

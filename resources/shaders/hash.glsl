@@ -32,3 +32,12 @@ int txnPoissonCount(uint bits) {
            int(bits >= 4294923276u) + int(bits >= 4294962463u) + int(bits >= 4294966817u) +
            int(bits >= 4294967253u) + int(bits >= 4294967292u);
 }
+
+// The cell of a period, in cells, that stands for a cell of the plane. period 0: there is none.
+uint txnWrapped(int cell, int period) {
+    if (period == 0)
+        return uint(cell);
+    // Of negative numbers, % is the driver's choice; ~cell is -cell - 1.
+    uint p = uint(period);
+    return cell >= 0 ? uint(cell) % p : p - 1u - uint(~cell) % p;
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: CC0-1.0
 
-// The kernels of a texton, one layer each, zero all around. With TXN_FILTER 0 texels are the
+// The kernels of a texton, or of several one after the other, one layer each, zero all around. With TXN_FILTER 0 texels are the
 // coefficients, fetched and weighed by the B-spline of order TXN_ORDER in full precision; otherwise
 // they are samples of the kernels with their mipmaps.
 #include "filter.glsl"

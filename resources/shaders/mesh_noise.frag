@@ -4,6 +4,9 @@
 // Both kinds of noise share these, and a file is included once, wherever that is.
 #include "hash.glsl"
 #include "kernel.glsl"
+#ifdef TXN_MIXED
+#include "mixing.glsl"
+#endif
 #if TXN_SURFACE
 #include "surface_noise.glsl"
 #else

@@ -28,7 +28,7 @@ void main() {
 #else
     float ground = float(q.z > 0.0);
 #endif
-#if TXN_MATERIAL
+#if TXN_MATERIAL || defined(TXN_MIXED)
     if (ground == 0.0) {
         color = background;
         return;
@@ -39,13 +39,19 @@ void main() {
         return;
     }
 #endif
+    bool beyond = q.z <= 0.0;
     q.z = max(q.z, 1e-3 * length(vec2(rayRight.z, rayDown.z))); // far enough to be all mean
     vec2 point = q.xy / q.z;
     vec2 dx = (rayRight.xy - point * rayRight.z) / q.z;
     vec2 dy = (rayDown.xy - point * rayDown.z) / q.z;
     vec2 place = clamp(point / txnCell, -1e7, 1e7) + basePlace;
     vec2 cell = floor(place);
+#if defined(TXN_MIXED) && !TXN_MATERIAL
+    vec4 noise = beyond ? txnMean(baseCell + ivec2(cell), place - cell, dx, dy)
+                        : textonNoise(baseCell + ivec2(cell), place - cell, dx, dy);
+#else
     vec4 noise = textonNoise(baseCell + ivec2(cell), place - cell, dx, dy);
+#endif
 #if TXN_MATERIAL
     noise = shaded(noise, ivec2(gl_FragCoord.xy), mat3(1.0), normalize(eye - vec3(point, 0.0)));
 #endif

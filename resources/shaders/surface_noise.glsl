@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: CC0-1.0
 
 // Texton noise on a surface without texture coordinates: section 6 of "Texton Noise". Impulses lie
-// in space; those in a cube around a point are projected onto the tangent plane there. TXN_PROCESS as
-// in texton_noise.glsl.
+// in space; those in a cube around a point are projected onto the tangent plane there. TXN_PROCESS and
+// TXN_MIXED as in texton_noise.glsl; a map lies as seen from the front, along the x of space and
+// against its y.
 #include "hash.glsl"
 #include "kernel.glsl"
+#ifdef TXN_MIXED
+#include "mixing.glsl"
+#endif
 
 uniform uint txnSeed;
 uniform int txnKernelCount;
@@ -53,21 +57,31 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
                 int count = TXN_PROCESS == 0 ? 1 : txnPoissonCount(txnSpaceHash(hashed, 0u).x);
                 for (int n = 1; n <= count; ++n) {
                     uvec4 h = txnSpaceHash(hashed, uint(n));
-                    vec3 from = (place - vec3(i, j, k) -
-                                 vec3(txnUnit(h.x), txnUnit(h.y), txnUnit(h.z))) * frame;
+                    vec3 waiting = vec3(txnUnit(h.x), txnUnit(h.y), txnUnit(h.z));
+                    vec3 from = (place - vec3(i, j, k) - waiting) * frame;
                     if (all(lessThan(abs(from), box))) {
                         int kernel = int((((h.w >> 15u) & 0xffffu) * uint(txnKernelCount)) >> 16u);
                         vec2 y = from.xy * txnSpaceCell + 0.5 * txnFootprint;
                         float weight = 1.0 - abs(from.z) / box.z;
                         if (TXN_PROCESS != 2 && (h.w >> 31u) != 0u)
                             weight = -weight;
+#ifdef TXN_MIXED
+                        int texton = txnTextonAt(hashed.xy, waiting.xy, (h.w >> 5u) & 0x3ffu);
+                        sum += weight * txnFadeOf(texton, pixel) *
+                               txnKernel(texton * txnKernelCount + kernel, y, pixel);
+#else
                         sum += weight * txnKernel(kernel, y, pixel);
+#endif
                     }
                 }
             }
         }
     }
+#ifdef TXN_MIXED
+    return txnMean(cell.xy, place.xy, dx, dy) + txnGain * sum;
+#else
     return txnOffset + txnGain * pixel.fade * sum;
+#endif
 }
 
 // The same at a point in exemplar pixels.

@@ -2,9 +2,12 @@
 
 // Texton noise in the plane: Galerne, Leclaire, Moisan, "Texton Noise", Computer Graphics Forum
 // 2017. TXN_PROCESS 0: stratified, one impulse in each cell, with random signs; 1: a Poisson process
-// with random signs; 2: without, as in the paper.
+// with random signs; 2: without, as in the paper. TXN_MIXED: of a mixture of textons.
 #include "hash.glsl"
 #include "kernel.glsl"
+#ifdef TXN_MIXED
+#include "mixing.glsl"
+#endif
 
 uniform uint txnSeed;
 uniform int txnKernelCount;
@@ -12,14 +15,6 @@ uniform vec2 txnCell;    // size of a cell in exemplar pixels; one impulse each,
 uniform ivec2 txnPeriod; // in cells, after which noise repeats; 0: never
 uniform vec4 txnGain;
 uniform vec4 txnOffset;
-
-uint txnWrapped(int cell, int period) {
-    if (period == 0)
-        return uint(cell);
-    // Of negative numbers, % is the driver's choice; ~cell is -cell - 1.
-    uint p = uint(period);
-    return cell >= 0 ? uint(cell) % p : p - 1u - uint(~cell) % p;
-}
 
 // Noise at a point given as a cell of the plane and the place in it (in cells, any number). dx, dy:
 // steps in exemplar pixels to the next pixel of the picture.
@@ -39,17 +34,29 @@ vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
             for (int n = 0; n < count; ++n) {
                 uvec4 h = txnHash(uvec4(hashed, uint(n), txnSeed));
                 // From the top left corner of the footprint that was dropped there.
-                vec2 y = (place - vec2(i, j) - vec2(txnUnit(h.x), txnUnit(h.y))) * txnCell;
+                vec2 dropped = vec2(txnUnit(h.x), txnUnit(h.y));
+                vec2 y = (place - vec2(i, j) - dropped) * txnCell;
                 if (all(greaterThanEqual(y, -pixel.before)) &&
                     all(lessThan(y, txnFootprint + pixel.after))) {
                     int kernel = int(((h.w >> 16u) * uint(txnKernelCount)) >> 16u);
+#ifdef TXN_MIXED
+                    int texton =
+                        txnTextonAt(cell + ivec2(i, j), dropped, (h.w & 0xffffu) >> 6u);
+                    vec4 value = txnFadeOf(texton, pixel) *
+                                 txnKernel(texton * txnKernelCount + kernel, y, pixel);
+#else
                     vec4 value = txnKernel(kernel, y, pixel);
+#endif
                     sum += TXN_PROCESS != 2 && (h.z >> 31u) != 0u ? -value : value;
                 }
             }
         }
     }
+#ifdef TXN_MIXED
+    return txnMean(cell, place, dx, dy) + txnGain * sum;
+#else
     return txnOffset + txnGain * pixel.fade * sum;
+#endif
 }
 
 // The same at a point in exemplar pixels.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: CC0-1.0
 // The plane seen from above, each tile of the picture with a list of its impulses.
-// TXN_MATERIAL 1: shaded as a material.
+// TXN_MATERIAL 1: shaded as a material; TXN_MIXED: of a mixture of textons.
 #include "kernel.glsl"
+#ifdef TXN_MIXED
+#include "mixing.glsl"
+#include "plane_place.glsl"
+#endif
 #if TXN_MATERIAL
 #include "material.glsl"
 uniform vec3 surfaceX; // the exemplar's x and y: to the right, up, to the eye
@@ -9,7 +13,7 @@ uniform vec3 surfaceY;
 #endif
 
 uniform samplerBuffer impulses; // from the tile's corner to the footprint's, in pixels of the
-                                // picture, y down; kernel + 1, negative with a negative sign
+                                // picture, y down; layer + 1, negative with a negative sign
 uniform isamplerBuffer starts;  // of the tiles' lists, and the end of the last
 uniform int tileSide;
 uniform int tilesAcross;
@@ -33,7 +37,14 @@ void main() {
         vec2 y = pictureToPlane * (place - impulse.xy);
         sum += sign(impulse.z) * txnKernel(int(abs(impulse.z)) - 1, y, shape);
     }
+#ifdef TXN_MIXED
+    vec2 inCell;
+    ivec2 cell = planeCell(pixel, inCell);
+    // Pixels are much smaller than footprints here: nothing gets fainter.
+    color = txnMean(cell, inCell, pictureToPlane[0], pictureToPlane[1]) + txnGain * sum;
+#else
     color = txnOffset + txnGain * shape.fade * sum;
+#endif
 #if TXN_MATERIAL
     mat3 frame = mat3(surfaceX, surfaceY, vec3(0.0, 0.0, 1.0));
     color = shaded(color, ivec2(gl_FragCoord.xy), frame, frame[2]);
