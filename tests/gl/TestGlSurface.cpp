@@ -126,6 +126,23 @@ MeshView unlit(double pixelsPerUnit, const OrbitCamera& camera) {
     return view;
 }
 
+/// Textons unlike each other, and a map over what is between -side / 2 and side / 2, texel by texel
+/// anything.
+Mixture mixtureOf(int textons, TextonRecipe recipe, double side) {
+    Mixture mixture;
+    for (int r = 0; r < textons; ++r) {
+        mixture.textons.push_back(makeTexton(recipe));
+        for (double& mean : mixture.textons.back().mean)
+            mean += 0.4 * r;
+        ++recipe.seed;
+    }
+    mixture.map = {Image(Size{19, 13}, 1), {-0.5 * side, -0.5 * side, side, side}};
+    TestRandom random(69);
+    for (float& rho : mixture.map.rho.samples())
+        rho = static_cast<float>(random.uniform());
+    return mixture;
+}
+
 const OrbitCamera kFromAbove{0.0, std::numbers::pi / 2.0, 0.35, 0.8}; // nothing but mesh
 
 } // namespace
@@ -137,8 +154,12 @@ class TestGlSurface : public QObject {
     std::optional<NoiseRenderer> m_renderer;
     std::shared_ptr<const TriangleMesh> m_plane, m_sphere, m_torus;
 
-    void setUp(const Texton& texton, const std::shared_ptr<const TriangleMesh>& mesh) {
-        m_renderer->setTexton(shared(texton));
+    void setUp(const Mixture& mixture, const std::shared_ptr<const TriangleMesh>& mesh) {
+        m_renderer->setTextons(std::make_shared<const std::vector<Texton>>(mixture.textons));
+        m_renderer->setField(
+            std::make_shared<const TextonField>(mixture.map,
+                                                static_cast<int>(mixture.textons.size()),
+                                                mixture.textons.front().footprint()));
         m_renderer->setMesh(mesh);
     }
     Result<Image> picture(const View& view, const NoiseStyle& style, Size size, int channels = 4) {
@@ -165,15 +186,24 @@ class TestGlSurface : public QObject {
         QTest::addColumn<int>("kernels");
         QTest::addColumn<int>("channels");
         QTest::addColumn<double>("meanImpacts");
+        QTest::addColumn<int>("textons");
         for (const int process : {0, 1, 2}) {
             const char* name = toString(static_cast<NoiseProcess>(process)).data();
             for (const int order : {0, 1, 3, 5})
-                QTest::addRow("%s order %d", name, order) << process << order << 1 << 3 << 24.0;
+                QTest::addRow("%s order %d", name, order)
+                    << process << order << 1 << 3 << 24.0 << 1;
             for (const int channels : {1, 2, 4})
                 QTest::addRow("%s channels %d", name, channels)
-                    << process << 1 << 3 << channels << 24.0;
+                    << process << 1 << 3 << channels << 24.0 << 1;
             for (const double impacts : {0.5, 200.0})
-                QTest::addRow("%s MNI %g", name, impacts) << process << 1 << 2 << 1 << impacts;
+                QTest::addRow("%s MNI %g", name, impacts) << process << 1 << 2 << 1 << impacts << 1;
+            for (const int order : {0, 1, 3}) {
+                for (const int kernels : {1, 3}) {
+                    if (process != static_cast<int>(NoiseProcess::Poisson))
+                        QTest::addRow("%s mixture order %d Q %d", name, order, kernels)
+                            << process << order << kernels << 3 << 24.0 << 5;
+                }
+            }
         }
     }
 
@@ -183,19 +213,21 @@ class TestGlSurface : public QObject {
         QFETCH(int, kernels);
         QFETCH(int, channels);
         QFETCH(double, meanImpacts);
-        const Texton texton = makeTexton({order, kernels, {13, 9}, channels, 61, 0.3});
-        setUp(texton, m_plane);
+        QFETCH(int, textons);
+        const Mixture mixture =
+            mixtureOf(textons, {order, kernels, {13, 9}, channels, 61, 0.3}, 40.0);
+        setUp(mixture, m_plane);
         const Size size{41, 32};
         const MeshView view = unlit(43.7, kFromAbove);
         const NoiseStyle style = pointStyle(static_cast<NoiseProcess>(process), meanImpacts);
         const auto image = picture(view, style, size);
         TXN_OK(image);
-        const SurfaceNoise noise(texton, style.noise);
+        const SurfaceNoise noise(mixture, style.noise);
         // Seen from above: x to the right, z down.
         const SurfaceFrame frame{{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
         const Eye eye(view.camera, boundingSphere(*m_plane), size);
         Image expected(size, 4);
-        std::vector<double> values(texton.mean.size());
+        std::vector<double> values(static_cast<std::size_t>(channels));
         for (int y = 0; y < size.height; ++y) {
             for (int x = 0; x < size.width; ++x) {
                 const glm::dvec3 ray = eye.ray(x, y);
@@ -223,11 +255,15 @@ class TestGlSurface : public QObject {
         QTest::addColumn<double>("yaw");
         QTest::addColumn<double>("pitch");
         QTest::addColumn<double>("distance");
-        QTest::newRow("sphere") << "sphere" << 0.0 << 0.0 << 1.0;
-        QTest::newRow("sphere aside") << "sphere" << 2.3 << 0.9 << 0.7;
-        QTest::newRow("torus") << "torus" << 0.5 << 0.4 << 1.0;
-        QTest::newRow("torus from below") << "torus" << -2.0 << -0.7 << 1.3;
-        QTest::newRow("plane at an angle") << "plane" << 0.7 << 0.5 << 0.8;
+        QTest::addColumn<int>("textons");
+        for (const int textons : {1, 5}) {
+            const char* of = textons == 1 ? "" : " mixture";
+            QTest::addRow("sphere%s", of) << "sphere" << 0.0 << 0.0 << 1.0 << textons;
+            QTest::addRow("sphere aside%s", of) << "sphere" << 2.3 << 0.9 << 0.7 << textons;
+            QTest::addRow("torus%s", of) << "torus" << 0.5 << 0.4 << 1.0 << textons;
+            QTest::addRow("torus from below%s", of) << "torus" << -2.0 << -0.7 << 1.3 << textons;
+            QTest::addRow("plane at an angle%s", of) << "plane" << 0.7 << 0.5 << 0.8 << textons;
+        }
     }
 
     void curvedMeshesShowSurfaceNoise() {
@@ -236,8 +272,9 @@ class TestGlSurface : public QObject {
         QFETCH(double, pitch);
         QFETCH(double, distance);
         const auto& shape = mesh == "sphere" ? m_sphere : mesh == "torus" ? m_torus : m_plane;
-        const Texton texton = makeTexton({1, 2, {13, 9}, 3, 62, 0.3});
-        setUp(texton, shape);
+        QFETCH(int, textons);
+        const Mixture mixture = mixtureOf(textons, {1, 2, {13, 9}, 3, 62, 0.3}, 70.0);
+        setUp(mixture, shape);
         const auto tangents = tangentField(*shape);
         const Size size{37, 29};
         const Eye eye({yaw, pitch, distance, 0.8}, boundingSphere(*shape), size);
@@ -248,8 +285,8 @@ class TestGlSurface : public QObject {
             const NoiseStyle style = pointStyle();
             const auto image = picture(view, style, size, 3);
             TXN_OK(image);
-            const SurfaceNoise surface(texton, style.noise);
-            const SpotNoise plane(texton, style.noise);
+            const SurfaceNoise surface(mixture, style.noise);
+            const SpotNoise plane(mixture, style.noise);
             const double perUv = view.pixelsPerUnit * unitsPerUv(*shape).value_or(0.0);
             Image expected(size, 3);
             std::vector<double> values(3);
