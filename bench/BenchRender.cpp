@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace txn::bench {
@@ -31,6 +32,7 @@ struct Session {
     const Result<HeadlessContext>& context;
     FidelityTable fidelities;
     std::map<std::string, double> paperSeconds; ///< per frame, by "view/support:S/WxH"
+    std::map<std::string, double> plainSeconds; ///< per frame, by "view/filter"
 };
 
 enum class Scene { Plane, Perspective, Surface };
@@ -139,6 +141,49 @@ std::optional<double> timeOurs(benchmark::State& state,
     });
 }
 
+constexpr int kMixedTextons = 21;
+
+/// From A to B across the middle of the picture, as finely as it is painted.
+MixingMap slope(Size size) {
+    MixingMap map;
+    map.rho = gradientMap(size, 30.0);
+    map.placement = {-0.5 * size.width, -0.5 * size.height, 1.0 * size.width, 1.0 * size.height};
+    return map;
+}
+
+/// Noise of one texton, or of several along a slope.
+std::optional<double> timeMixed(benchmark::State& state,
+                                const HeadlessContext& context,
+                                const Frame& frame,
+                                const NoiseStyle& style,
+                                int textons) {
+    const auto list = std::make_shared<const std::vector<Texton>>(static_cast<std::size_t>(textons),
+                                                                  randomTexton(frame.support));
+    NoiseRenderer renderer;
+    renderer.setTextons(list);
+    renderer.setField(
+        std::make_shared<const TextonField>(slope(frame.size), textons, list->front().footprint()));
+    renderer.setMesh(std::make_shared<const TriangleMesh>(torusMesh()));
+    const View view = viewOf(frame.scene);
+    return timeFrames(state, context, frame.size, [&](const OffscreenTarget& target) {
+        return renderer.draw(context.gl(), view, style, target);
+    });
+}
+
+/// A stroke of the brush: a new map of 1024 x 1024, ready for drawing.
+void timePainting(benchmark::State& state, const HeadlessContext& context) {
+    constexpr Size kMap{1024, 1024};
+    const auto list = std::make_shared<const std::vector<Texton>>(kMixedTextons, randomTexton(64));
+    NoiseRenderer renderer;
+    renderer.setTextons(list);
+    const MixingMap map = slope(kMap);
+    (void)timeFrames(state, context, {16, 16}, [&](const OffscreenTarget& target) {
+        renderer.setField(
+            std::make_shared<const TextonField>(map, kMixedTextons, list->front().footprint()));
+        return renderer.draw(context.gl(), PlaneView{}, NoiseStyle{}, target);
+    });
+}
+
 /// In space impacts count for less: twice as many make up for it ([TN17] section 9).
 double meanImpactsFor(Scene scene, double ofPlane) {
     return scene == Scene::Surface ? 2.0 * ofPlane : ofPlane;
@@ -196,6 +241,30 @@ void addOurs(const std::shared_ptr<Session>& session,
            }));
 }
 
+/// The same with one texton and with several.
+void addMixed(const std::shared_ptr<Session>& session,
+              const std::string& name,
+              Scene scene,
+              PlaneMethod method,
+              Filter filter) {
+    for (const int textons : {1, kMixedTextons}) {
+        addRow((textons == 1 ? "plain/" : "mixed/") + name,
+               withContext(session, [=](benchmark::State& state, const HeadlessContext& context) {
+                   NoiseStyle style;
+                   style.planeMethod = method;
+                   style.filter = filter;
+                   style.noise.meanImpacts = meanImpactsFor(scene, style.noise.meanImpacts);
+                   const auto time =
+                       timeMixed(state, context, {scene, 64, {1024, 1024}}, style, textons);
+                   if (time && textons == 1)
+                       session->plainSeconds[name] = *time;
+                   const auto plain = session->plainSeconds.find(name);
+                   if (time && plain != session->plainSeconds.end())
+                       state.counters["times_plain"] = *time / plain->second;
+               }));
+    }
+}
+
 void addFidelity(const std::shared_ptr<Session>& session, const std::string& name) {
     benchmark::RegisterBenchmark(("fidelity/" + name).c_str(),
                                  [session, name](benchmark::State& state) {
@@ -218,7 +287,7 @@ void addFidelity(const std::shared_ptr<Session>& session, const std::string& nam
 } // namespace
 
 void registerRenderBenchmarks(const Result<HeadlessContext>& context) {
-    const auto session = std::make_shared<Session>(Session{context, {}, {}});
+    const auto session = std::make_shared<Session>(Session{context, {}, {}, {}});
     for (const std::string& name : session->fidelities.names())
         addFidelity(session, name);
     // The paper's rows of a kind come first: the others are compared with them.
@@ -230,6 +299,15 @@ void registerRenderBenchmarks(const Result<HeadlessContext>& context) {
     }
     for (const Frame& frame : frames(Scene::Plane))
         addOurs(session, "ours_per_pixel/", frame, PlaneMethod::PerPixel);
+    for (const auto& [name, filter] :
+         {std::pair{"none", Filter::None}, {"anisotropic", Filter::Anisotropic}}) {
+        const std::string end = std::string("/") + name;
+        addMixed(session, "plane" + end, Scene::Plane, PlaneMethod::Automatic, filter);
+        addMixed(session, "per_pixel" + end, Scene::Plane, PlaneMethod::PerPixel, filter);
+        addMixed(session, "perspective" + end, Scene::Perspective, PlaneMethod::Automatic, filter);
+        addMixed(session, "surface" + end, Scene::Surface, PlaneMethod::Automatic, filter);
+    }
+    addRow("painting/1024x1024", withContext(session, timePainting));
 }
 
 } // namespace txn::bench
