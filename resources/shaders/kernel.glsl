@@ -48,8 +48,10 @@ vec4 txnKernel(int kernel, vec2 y, TxnPixel pixel) {
     vec2 step = pixel.axis / float(pixel.fetches);
     vec2 at = y - 0.5 * (pixel.axis - step);
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < pixel.fetches; ++i)
+    int i = 0;
+    do { // as in texton_noise.glsl: sooner done than for
         sum += textureLod(txnKernels, txnTexturePoint(kernel, at + float(i) * step), pixel.level);
+    } while (++i < pixel.fetches);
     return sum / float(pixel.fetches);
 }
 #else

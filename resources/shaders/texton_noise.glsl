@@ -23,8 +23,12 @@ vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
     ivec2 first = ivec2(floor(place - (txnFootprint + pixel.after) / txnCell));
     ivec2 last = ivec2(floor(place + pixel.before / txnCell));
     vec4 sum = vec4(0.0);
-    for (int j = first.y; j <= last.y; ++j) {
-        for (int i = first.x; i <= last.x; ++i) {
+    // There is a cell at least. Where the processor draws, a loop whose end is tested first is gone
+    // through once more than needed.
+    int j = first.y;
+    do {
+        int i = first.x;
+        do {
             uvec2 hashed = uvec2(txnWrapped(cell.x + i, txnPeriod.x),
                                  txnWrapped(cell.y + j, txnPeriod.y));
             int count = 1;
@@ -50,8 +54,8 @@ vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
                     sum += TXN_PROCESS != 2 && (h.z >> 31u) != 0u ? -value : value;
                 }
             }
-        }
-    }
+        } while (++i <= last.x);
+    } while (++j <= last.y);
 #ifdef TXN_MIXED
     return txnMean(cell, place, dx, dy) + txnGain * sum;
 #else
