@@ -4,10 +4,13 @@
 #include "app/document/ProjectDocument.h"
 #include "app/files/FileController.h"
 #include "app/look/Theme.h"
+#include "app/mixing/MapPainter.h"
+#include "app/mixing/MixEditor.h"
 #include "app/panels/ExemplarPanel.h"
 #include "app/panels/HistogramPanel.h"
 #include "app/panels/JobsPanel.h"
 #include "app/panels/JobsStatus.h"
+#include "app/panels/MixPanel.h"
 #include "app/panels/NoisePanel.h"
 #include "app/panels/SpectrumPanel.h"
 #include "app/panels/TextonPanel.h"
@@ -51,7 +54,10 @@ MainWindow::MainWindow(const Parts& parts)
       m_pipeline(parts.pipeline), m_noise(parts.noise),
       m_files(new FileController(m_document, m_runner, m_settings, *this)),
       m_actions(new ActionRegistry(m_settings, this)), m_messages(new MessageBar),
-      m_views(new ViewArea(m_document, m_pipeline, m_noise, m_settings)) {
+      m_tools(new PaintTools(this)),
+      m_painter(new MapPainter(m_document, m_pipeline, *m_tools, this)),
+      m_mix(new MixEditor(m_document, m_runner, this)),
+      m_views(new ViewArea(m_document, m_pipeline, m_noise, m_settings, *m_painter)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -77,6 +83,10 @@ MainWindow::MainWindow(const Parts& parts)
     });
     connect(m_files, &FileController::warning, this, [this](const QString& text) {
         m_messages->show(MessageBar::Kind::Warning, text);
+    });
+    connect(m_mix, &MixEditor::problem, this, problem);
+    connect(m_mix, &MixEditor::note, this, [this](const QString& text) {
+        m_messages->show(MessageBar::Kind::Note, text);
     });
     connect(m_views, &ViewArea::problem, this, problem);
     connect(&m_pipeline, &Pipeline::failed, this, problem);
@@ -159,6 +169,8 @@ void MainWindow::createDocks() {
     m_docks[QStringLiteral("histogramDock")] = nullptr;
     addAnalysis(QStringLiteral("spectrumDock"), tr("Spectrum"), new SpectrumPanel(m_pipeline));
     addAnalysis(QStringLiteral("histogramDock"), tr("Histogram"), new HistogramPanel(m_pipeline));
+    m_mixPanel = new MixPanel(m_document, m_pipeline, *m_tools);
+    addDock(QStringLiteral("mixDock"), tr("Mix"), m_mixPanel, Qt::BottomDockWidgetArea, true);
     auto* history = new QUndoView(&m_document.undoStack());
     history->setObjectName(QStringLiteral("historyList"));
     history->setEmptyLabel(tr("Start"));
@@ -185,9 +197,9 @@ void MainWindow::arrangeDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, dock("exemplarDock"));
     addDockWidget(Qt::RightDockWidgetArea, dock("textonDock"));
     splitDockWidget(dock("textonDock"), dock("noiseDock"), Qt::Vertical);
-    for (const char* id : {"spectrumDock", "histogramDock", "historyDock", "jobsDock"})
+    for (const char* id : {"spectrumDock", "histogramDock", "mixDock", "historyDock", "jobsDock"})
         addDockWidget(Qt::BottomDockWidgetArea, dock(id));
-    for (const char* id : {"histogramDock", "historyDock", "jobsDock"})
+    for (const char* id : {"histogramDock", "mixDock", "historyDock", "jobsDock"})
         tabifyDockWidget(dock("spectrumDock"), dock(id));
     dock("spectrumDock")->raise();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);

@@ -15,9 +15,13 @@ class ActionRegistry;
 class ExportDialog;
 class FileController;
 class JobRunner;
+class MapPainter;
 class MessageBar;
+class MixEditor;
+class MixPanel;
 class NoisePanel;
 class NoiseService;
+class PaintTools;
 class Pipeline;
 class ProjectDocument;
 class Settings;
@@ -56,6 +60,7 @@ class MainWindow : public QMainWindow {
                                            "noiseDock",
                                            "spectrumDock",
                                            "histogramDock",
+                                           "mixDock",
                                            "historyDock",
                                            "jobsDock"};
 
@@ -67,6 +72,10 @@ class MainWindow : public QMainWindow {
     void createViewActions();
     void createTextonActions();
     void createNoiseActions();
+    void createMixActions();
+    void createMapActions();
+    void chooseMapToImport();
+    void chooseMapToExport();
     void createWindowActions();
     void createHelpActions();
     void createMenus();
@@ -104,7 +113,11 @@ class MainWindow : public QMainWindow {
     FileController* m_files;
     ActionRegistry* m_actions;
     MessageBar* m_messages;
+    PaintTools* m_tools;
+    MapPainter* m_painter;
+    MixEditor* m_mix;
     ViewArea* m_views;
+    MixPanel* m_mixPanel = nullptr;
     NoisePanel* m_noisePanel = nullptr;
     ExportDialog* m_export = nullptr;
     std::map<QString, QDockWidget*> m_docks;

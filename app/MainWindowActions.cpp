@@ -52,6 +52,7 @@ void MainWindow::createActions() {
     createViewActions();
     createTextonActions();
     createNoiseActions();
+    createMixActions();
     createWindowActions();
     createHelpActions();
 }

@@ -167,14 +167,12 @@ Result<void> saveSheet(const MixtureAsset& asset, const NoiseGrid& grid, const O
     for (std::size_t i = 0; i < kSheetTextons; ++i) {
         const std::size_t r = (i * last + (kSheetTextons - 1) / 2) / (kSheetTextons - 1);
         const Image picture = textonPicture(asset.mixture.textons[r], kSheetTexton);
-        rows[0].push_back({"rho " + shortNumber(asset.rhos[r]),
-                           firstPicture(picture, asset.maps)});
+        rows[0].push_back({"rho " + shortNumber(asset.rhos[r]), firstPicture(picture, asset.maps)});
     }
     const Size shown{std::min(options.size.width, kSheetNoise.width),
                      std::min(options.size.height, kSheetNoise.height)};
-    const auto noise = grid.render({(options.size.width - shown.width) / 2,
-                                    (options.size.height - shown.height) / 2,
-                                    shown});
+    const auto noise = grid.render(
+        {(options.size.width - shown.width) / 2, (options.size.height - shown.height) / 2, shown});
     if (!noise)
         return noise.error();
     rows[1].push_back({"Mixed noise of " + std::to_string(asset.mixture.textons.size()) +

@@ -762,6 +762,18 @@
         <source>Opening the maps of a material</source>
         <translation>Ouverture des cartes d&apos;un matériau</translation>
     </message>
+    <message>
+        <source>Open %1 as B</source>
+        <translation>Ouvrir %1 comme B</translation>
+    </message>
+    <message>
+        <source>Open the second material</source>
+        <translation>Ouvrir la seconde matière</translation>
+    </message>
+    <message>
+        <source>Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;All files (*)</source>
+        <translation>Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;Tous les fichiers (*)</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>
@@ -1696,6 +1708,193 @@
         <source>The noise of the kept texton on the left, that of the present one on the right.</source>
         <translation>Le bruit du texton gardé à gauche, celui de l&apos;actuel à droite.</translation>
     </message>
+    <message>
+        <source>Mix</source>
+        <translation>Mélange</translation>
+    </message>
+    <message>
+        <source>&amp;Mix</source>
+        <translation>&amp;Mélange</translation>
+    </message>
+    <message>
+        <source>&amp;Open a second material...</source>
+        <translation>&amp;Ouvrir une seconde matière...</translation>
+    </message>
+    <message>
+        <source>Open another photo, to mix it with the first one.</source>
+        <translation>Ouvrir une autre photo, à mélanger avec la première.</translation>
+    </message>
+    <message>
+        <source>S&amp;wap A and B</source>
+        <translation>&amp;Échanger A et B</translation>
+    </message>
+    <message>
+        <source>Let the two materials change places. The noise stays as it is.</source>
+        <translation>Les deux matières changent de place. Le bruit garde son aspect.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the second material</source>
+        <translation>&amp;Retirer la seconde matière</translation>
+    </message>
+    <message>
+        <source>Show the first material alone again.</source>
+        <translation>Montrer de nouveau la première matière seule.</translation>
+    </message>
+    <message>
+        <source>&amp;Look</source>
+        <translation>&amp;Regarder</translation>
+    </message>
+    <message>
+        <source>The mouse paints nothing.</source>
+        <translation>La souris ne peint rien.</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinceau</translation>
+    </message>
+    <message>
+        <source>Paint where the second material is, in the noise seen from above.</source>
+        <translation>Peindre où se trouve la seconde matière, dans le bruit vu de dessus.</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Adoucir</translation>
+    </message>
+    <message>
+        <source>Soften borders in the map.</source>
+        <translation>Adoucir les bords dans la carte.</translation>
+    </message>
+    <message>
+        <source>&amp;Eraser</source>
+        <translation>&amp;Gomme</translation>
+    </message>
+    <message>
+        <source>Bring the first material back.</source>
+        <translation>Faire revenir la première matière.</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>&amp;Dégradé</translation>
+    </message>
+    <message>
+        <source>Drag a line: one material at its start, the other at its end.</source>
+        <translation>Tirer une ligne : une matière à son début, l&apos;autre à sa fin.</translation>
+    </message>
+    <message>
+        <source>Ro&amp;und gradient</source>
+        <translation>Dégradé r&amp;ond</translation>
+    </message>
+    <message>
+        <source>Drag from the middle: one material inside, the other around it.</source>
+        <translation>Tirer depuis le milieu : une matière dedans, l&apos;autre autour.</translation>
+    </message>
+    <message>
+        <source>L&amp;arger brush</source>
+        <translation>Pinceau plus &amp;grand</translation>
+    </message>
+    <message>
+        <source>Make the brush a quarter larger.</source>
+        <translation>Agrandir le pinceau d&apos;un quart.</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>Pinceau plus &amp;petit</translation>
+    </message>
+    <message>
+        <source>Make the brush a quarter smaller.</source>
+        <translation>Réduire le pinceau d&apos;un quart.</translation>
+    </message>
+    <message>
+        <source>&amp;Fill the map</source>
+        <translation>Re&amp;mplir la carte</translation>
+    </message>
+    <message>
+        <source>All of it becomes what the brush paints.</source>
+        <translation>Elle devient partout ce que le pinceau peint.</translation>
+    </message>
+    <message>
+        <source>S&amp;trips from A to B</source>
+        <translation>&amp;Bandes de A à B</translation>
+    </message>
+    <message>
+        <source>One strip for each texton, from the first material on the left to the second one on the right.</source>
+        <translation>Une bande par texton, de la première matière à gauche à la seconde à droite.</translation>
+    </message>
+    <message>
+        <source>&amp;Invert the map</source>
+        <translation>&amp;Inverser la carte</translation>
+    </message>
+    <message>
+        <source>The second material where the first one was.</source>
+        <translation>La seconde matière là où était la première.</translation>
+    </message>
+    <message>
+        <source>Re&amp;peat the map</source>
+        <translation>Répé&amp;ter la carte</translation>
+    </message>
+    <message>
+        <source>Beyond its border the map comes again, instead of going on as it ends.</source>
+        <translation>Au-delà de son bord, la carte recommence au lieu de se prolonger.</translation>
+    </message>
+    <message>
+        <source>S&amp;how the map</source>
+        <translation>&amp;Voir la carte</translation>
+    </message>
+    <message>
+        <source>Lay the map over the noise: blue is the first material, amber the second one.</source>
+        <translation>Poser la carte sur le bruit : bleu pour la première matière, ambre pour la seconde.</translation>
+    </message>
+    <message>
+        <source>I&amp;mport a map...</source>
+        <translation>Im&amp;porter une carte...</translation>
+    </message>
+    <message>
+        <source>Take a gray picture as the map: black is the first material, white the second.</source>
+        <translation>Prendre une image grise pour carte : noir pour la première matière, blanc pour la seconde.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the map...</source>
+        <translation>E&amp;xporter la carte...</translation>
+    </message>
+    <message>
+        <source>Save the map as a gray picture.</source>
+        <translation>Enregistrer la carte comme image grise.</translation>
+    </message>
+    <message>
+        <source>Import a map</source>
+        <translation>Importer une carte</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Export the map</source>
+        <translation>Exporter la carte</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation>Images (*.png *.tif *.exr)</translation>
+    </message>
+</context>
+<context>
+    <name>txn::app::MapPainter</name>
+    <message>
+        <source>Smooth the map</source>
+        <translation>Adoucir la carte</translation>
+    </message>
+    <message>
+        <source>Erase in the map</source>
+        <translation>Gommer dans la carte</translation>
+    </message>
+    <message>
+        <source>Gradient in the map</source>
+        <translation>Dégradé dans la carte</translation>
+    </message>
+    <message>
+        <source>Paint in the map</source>
+        <translation>Peindre dans la carte</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::MessageBar</name>
@@ -1706,6 +1905,204 @@
     <message>
         <source>Dismiss the message.</source>
         <translation>Fermer le message.</translation>
+    </message>
+</context>
+<context>
+    <name>txn::app::MixEditor</name>
+    <message>
+        <source>Swap A and B</source>
+        <translation>Échanger A et B</translation>
+    </message>
+    <message>
+        <source>Remove B</source>
+        <translation>Retirer B</translation>
+    </message>
+    <message>
+        <source>Fill the map</source>
+        <translation>Remplir la carte</translation>
+    </message>
+    <message>
+        <source>Strips from A to B</source>
+        <translation>Bandes de A à B</translation>
+    </message>
+    <message>
+        <source>Invert the map</source>
+        <translation>Inverser la carte</translation>
+    </message>
+    <message>
+        <source>Repeat the map</source>
+        <translation>Répéter la carte</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>Import the map</source>
+        <translation>Importer la carte</translation>
+    </message>
+    <message>
+        <source>Saving the map</source>
+        <translation>Enregistrement de la carte</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>txn::app::MixPanel</name>
+    <message>
+        <source>Drop a photo</source>
+        <translation>Déposez une photo</translation>
+    </message>
+    <message>
+        <source>The first material. Click to open another one, or drop a photo here.</source>
+        <translation>La première matière. Cliquez pour en ouvrir une autre, ou déposez une photo ici.</translation>
+    </message>
+    <message>
+        <source>Drop a second photo</source>
+        <translation>Déposez une seconde photo</translation>
+    </message>
+    <message>
+        <source>The second material, to be mixed with the first. Click to open one, or drop a photo here.</source>
+        <translation>La seconde matière, à mélanger avec la première. Cliquez pour en ouvrir une, ou déposez une photo ici.</translation>
+    </message>
+    <message>
+        <source>Let A and B change places.</source>
+        <translation>Échanger A et B.</translation>
+    </message>
+    <message>
+        <source>Take the second material away and show the first one alone.</source>
+        <translation>Retirer la seconde matière et montrer la première seule.</translation>
+    </message>
+    <message>
+        <source>Textons from A to B</source>
+        <translation>Textons de A à B</translation>
+    </message>
+    <message>
+        <source>The textons from A to B, each with a piece of its noise. Click one to see it alone and to paint with it; click it again to see the mixture.</source>
+        <translation>Les textons de A à B, chacun avec un morceau de son bruit. Cliquez-en un pour le voir seul et peindre avec lui ; cliquez encore pour voir le mélange.</translation>
+    </message>
+    <message>
+        <source>Textons</source>
+        <translation>Textons</translation>
+    </message>
+    <message>
+        <source>How many textons lie between A and B. More make the passage finer. Try 21.</source>
+        <translation>Combien de textons mènent de A à B. Plus il y en a, plus le passage est fin. Essayez 21.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Regarder</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Adoucir</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Gomme</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Dégradé</translation>
+    </message>
+    <message>
+        <source>Round gradient</source>
+        <translation>Dégradé rond</translation>
+    </message>
+    <message>
+        <source>What the mouse does in the noise seen from above. Brush paints B, or any mixture; the eraser brings A back. Shift draws straight lines.</source>
+        <translation>Ce que fait la souris dans le bruit vu de dessus. Le pinceau peint B, ou tout mélange ; la gomme fait revenir A. Maj trace des lignes droites.</translation>
+    </message>
+    <message>
+        <source>Paint with</source>
+        <translation>Peindre avec</translation>
+    </message>
+    <message>
+        <source>What the brush paints: 0 is A, 1 is B, anything else lies between.</source>
+        <translation>Ce que peint le pinceau : 0 pour A, 1 pour B, le reste entre les deux.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>How large the brush is. The keys [ and ] change it, too.</source>
+        <translation>La taille du pinceau. Les touches [ et ] la changent aussi.</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureté</translation>
+    </message>
+    <message>
+        <source>How sharp the rim of the brush is. Low passes softly from A to B.</source>
+        <translation>La netteté du bord du pinceau. Faible, elle passe doucement de A à B.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>How far one stroke goes towards what it paints.</source>
+        <translation>Jusqu&apos;où va un trait vers ce qu&apos;il peint.</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Gauche et droite</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>Haut et bas</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Strokes are mirrored about the middle of the map.</source>
+        <translation>Les traits sont reflétés autour du milieu de la carte.</translation>
+    </message>
+    <message>
+        <source>A texton from a file cannot be mixed. Open a photo instead.</source>
+        <translation>Un texton venant d&apos;un fichier ne peut être mélangé. Ouvrez plutôt une photo.</translation>
+    </message>
+    <message>
+        <source>Open a photo, then a second one to mix it with.</source>
+        <translation>Ouvrez une photo, puis une seconde à lui mélanger.</translation>
+    </message>
+    <message>
+        <source>Drop a second material onto B, then paint where it is.</source>
+        <translation>Déposez une seconde matière sur B, puis peignez où elle se trouve.</translation>
+    </message>
+    <message>
+        <source>Computing the textons from A to B...</source>
+        <translation>Calcul des textons de A à B...</translation>
+    </message>
+    <message>
+        <source>Textons so far: %1</source>
+        <translation>Textons jusqu&apos;ici : %1</translation>
+    </message>
+    <message>
+        <source>Distance from A to B: %1</source>
+        <translation>Distance de A à B : %1</translation>
     </message>
 </context>
 <context>
@@ -1999,6 +2396,14 @@
     <message>
         <source>Loading the mesh</source>
         <translation>Chargement du maillage</translation>
+    </message>
+    <message>
+        <source>Preparing the second exemplar</source>
+        <translation>Préparation du second exemplaire</translation>
+    </message>
+    <message>
+        <source>Computing the textons from A to B</source>
+        <translation>Calcul des textons de A à B</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,13 @@ MaterialMaps mapsOf(const Project& project) {
     return project.importedTexton ? project.importedTexton->maps : MaterialMaps{};
 }
 
+MapPlacement mapPlacement(const MixSettings& mix) {
+    const Size size = mix.map.size();
+    const double width = size.width * mix.mapScale;
+    const double height = size.height * mix.mapScale;
+    return {-0.5 * width, -0.5 * height, width, height};
+}
+
 ComputeParams computeParams(const TextonSettings& settings) {
     ComputeParams params;
     params.method = settings.method;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/PaintedMap.h"
 #include "app/document/Source.h"
 #include "core/compute/ComputeTexton.h"
 #include "core/gaussian/GaussianSampler.h"
+#include "core/mixing/MixingMap.h"
 #include "gl/NoiseStyle.h"
 
 #include <array>
@@ -73,6 +75,24 @@ struct NoiseSettings {
     bool operator==(const NoiseSettings&) const = default;
 };
 
+/// The second exemplar, B, and where the noise is made of which: A is the project's own.
+struct MixSettings {
+    static constexpr int kStandardTextons = 21;
+    static constexpr int kMaxMapSide = 4096; ///< texels
+
+    std::shared_ptr<const Source> source; ///< null: nothing is mixed
+    ExemplarEdit edit;
+    int textons = kStandardTextons; ///< on the way from A to B
+    PaintedMap map;                 ///< 0: A, 1: B
+    double mapScale = 1.0;          ///< exemplar pixels per texel of the map
+    bool repeats = false;           ///< the map, beyond its border
+
+    bool operator==(const MixSettings&) const = default;
+};
+
+/// The map lies around the middle of the plane.
+[[nodiscard]] MapPlacement mapPlacement(const MixSettings& mix);
+
 /// Everything that the artist decides and can undo. A plain value, cheap to copy: what is large is
 /// shared. Either a picture is open (source), or a texton (importedTexton), or neither.
 struct Project {
@@ -83,6 +103,7 @@ struct Project {
     GaussianSettings gaussian;
     TextonSettings texton;
     NoiseSettings noise;
+    MixSettings mix;
 
     bool operator==(const Project&) const = default;
 };
@@ -112,10 +133,12 @@ struct ViewState {
     double centerY = 0.0;
     double zoom = 1.0; ///< device pixels per exemplar pixel
 
-    double exposure = 0.0;      ///< in stops
-    std::optional<int> channel; ///< unset: all
-    bool tiled = false;         ///< the exemplar is repeated
-    bool keptBeside = false;    ///< the first view shows the kept texton and its noise
+    double exposure = 0.0;        ///< in stops
+    std::optional<int> channel;   ///< unset: all
+    bool tiled = false;           ///< the exemplar is repeated
+    bool keptBeside = false;      ///< the first view shows the kept texton and its noise
+    std::optional<int> mixTexton; ///< of a mixture: this one alone is shown; unset: all of it
+    bool mapShown = false;        ///< the mixing map lies over the noise
 
     double yaw = 0.5; ///< of perspective and meshes; see OrbitCamera
     double pitch = 0.45;

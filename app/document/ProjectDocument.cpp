@@ -3,6 +3,8 @@
 
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <algorithm>
+#include <array>
 #include <atomic>
 
 namespace txn::app {
@@ -96,16 +98,20 @@ QString ProjectDocument::title() const {
 }
 
 void ProjectDocument::setProject(const Project& project) {
-    const auto last = m_project.source;
-    const bool otherSource = project.source != last;
+    const std::array before{m_project.source, m_project.mix.source};
+    const std::array now{project.source, project.mix.source};
     m_project = project;
     // The undo stack may keep many photos, but not their pixels.
-    if (last && otherSource)
-        Source::letGo(last);
-    if (m_project.source && otherSource)
-        m_project.source->hold();
+    for (const auto& source : before) {
+        if (source && !std::ranges::count(now, source))
+            Source::letGo(source);
+    }
+    for (const auto& source : now) {
+        if (source && !std::ranges::count(before, source))
+            source->hold();
+    }
     emit projectChanged();
-    if (otherSource)
+    if (before.front() != now.front())
         emit titleChanged();
 }
 

@@ -162,6 +162,18 @@ QCborValue noiseValue(const NoiseSettings& noise, const QString& folder) {
     return map;
 }
 
+/// What a mixture is made of beside the first exemplar.
+QCborValue mixValue(const MixSettings& mix, ExemplarStorage storage, const QString& folder) {
+    return QCborMap{{QStringLiteral("exemplar"), sourceValue(*mix.source, storage, folder)},
+                    {QStringLiteral("edit"), editValue(mix.edit)},
+                    {QStringLiteral("textons"), mix.textons},
+                    {QStringLiteral("map_width"), mix.map.size().width},
+                    {QStringLiteral("map_height"), mix.map.size().height},
+                    {QStringLiteral("map"), mix.map.toBytes()},
+                    {QStringLiteral("map_scale"), mix.mapScale},
+                    {QStringLiteral("repeats"), mix.repeats}};
+}
+
 QCborValue viewValue(const ViewState& view) {
     QCborArray shown;
     for (const Picture picture : view.shown)
@@ -222,6 +234,18 @@ readSource(const CborReader& reader, const QString& folder, QStringList& warning
     return stackSource(parts);
 }
 
+Result<void>
+readMix(CborReader reader, const QString& folder, MixSettings& mix, QStringList& warnings) {
+    auto source = readSource(reader.map("exemplar"), folder, warnings);
+    if (!source)
+        return source.error();
+    mix.source = std::move(*source);
+    const Error damaged{ErrorCode::Unreadable, "damaged: the mixture is not whole"};
+    if (!readEdit(reader.map("edit"), mix.edit) || !readMixSettings(reader, mix))
+        return damaged;
+    return {};
+}
+
 } // namespace
 
 QByteArray encodeProject(const Project& project,
@@ -240,6 +264,8 @@ QByteArray encodeProject(const Project& project,
     map[QStringLiteral("gaussian")] = gaussianValue(project.gaussian);
     map[QStringLiteral("settings")] = settingsValue(project.texton);
     map[QStringLiteral("noise")] = noiseValue(project.noise, projectFolder);
+    if (project.mix.source)
+        map[QStringLiteral("mix")] = mixValue(project.mix, storage, projectFolder);
     map[QStringLiteral("view")] = viewValue(view);
     return QCborValue(QCborKnownTags::Signature, map).toCbor();
 }
@@ -271,6 +297,11 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path)
         if (!asset)
             return damaged(asset.error().message);
         saved.project.importedTexton = std::make_shared<const TextonAsset>(std::move(*asset));
+    }
+    if (saved.project.source && root.has("mix")) {
+        if (const auto ok = readMix(root.map("mix"), folder, saved.project.mix, saved.warnings);
+            !ok)
+            return Error{ok.error().code, named(path) + ": " + ok.error().message};
     }
     saved.project.linked = root.flag("linked", false);
     bool good = root.isGood();

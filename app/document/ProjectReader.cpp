@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/ProjectReader.h"
 
+#include "core/compute/MixSolver.h"
 #include "core/noise/NoiseGrid.h"
 
 #include <algorithm>
@@ -151,6 +152,24 @@ bool readNoise(CborReader reader, NoiseSettings& noise) {
     noise.light.azimuth = reader.number("light_azimuth", -7.0, 7.0, noise.light.azimuth);
     noise.light.elevation = reader.number("light_elevation", 0.0, 1.6, noise.light.elevation);
     return reader.isGood();
+}
+
+bool readMixSettings(CborReader& reader, MixSettings& mix) {
+    mix.textons = static_cast<int>(
+        reader.integer("textons", MixSolver::kMinTextons, MixSolver::kMaxTextons, mix.textons));
+    mix.mapScale = reader.number("map_scale", 1.0 / 64.0, 64.0, mix.mapScale);
+    mix.repeats = reader.flag("repeats", mix.repeats);
+    const auto width =
+        static_cast<int>(reader.integer("map_width", 1, MixSettings::kMaxMapSide, 0));
+    const auto height =
+        static_cast<int>(reader.integer("map_height", 1, MixSettings::kMaxMapSide, 0));
+    if (!reader.isGood() || width < 1 || height < 1)
+        return false;
+    auto map = PaintedMap::fromBytes(reader.bytes("map"), {width, height});
+    if (!map)
+        return false;
+    mix.map = std::move(*map);
+    return true;
 }
 
 bool readView(CborReader reader, ViewState& view) {

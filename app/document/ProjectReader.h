@@ -39,6 +39,8 @@ class CborReader {
 [[nodiscard]] bool readGaussian(CborReader reader, GaussianSettings& gaussian);
 [[nodiscard]] bool readSettings(CborReader reader, TextonSettings& texton);
 [[nodiscard]] bool readNoise(CborReader reader, NoiseSettings& noise);
+/// All but the exemplar and its edit.
+[[nodiscard]] bool readMixSettings(CborReader& reader, MixSettings& mix);
 [[nodiscard]] bool readView(CborReader reader, ViewState& view);
 [[nodiscard]] Result<TextonAsset> readTextonAsset(CborReader reader);
 

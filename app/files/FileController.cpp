@@ -3,6 +3,7 @@
 
 #include "app/look/Words.h"
 #include "app/settings/Settings.h"
+#include "core/mixing/MixingMap.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -19,6 +20,7 @@ namespace txn::app {
 namespace {
 
 const QLatin1String kProjectEnding(".txnproj");
+constexpr int kFirstMapSide = 1024;
 
 } // namespace
 
@@ -70,6 +72,7 @@ void FileController::show(const Opened& opened, const QString& name) {
             return;
         }
         project.importedTexton = std::get<std::shared_ptr<const TextonAsset>>(opened);
+        project.mix = MixSettings{}; // textons from files cannot be mixed
         project.noise.process = project.importedTexton->process;
         project.noise.meanImpacts = project.importedTexton->meanImpacts;
     });
@@ -77,19 +80,35 @@ void FileController::show(const Opened& opened, const QString& name) {
         m_document.undoStack().setClean();
 }
 
+void FileController::showSecond(const std::shared_ptr<const Source>& source) {
+    m_document.change(tr("Open %1 as B").arg(source->name()), [&](Project& project) {
+        // The first one shows at once what mixing is.
+        if (!project.mix.source)
+            project.mix.map = PaintedMap::fromImage(
+                gradientMap({kFirstMapSide, kFirstMapSide}, 0.0, Ease::Smooth));
+        project.mix.source = source;
+        project.mix.edit = ExemplarEdit{};
+        project.mix.edit.linear = project.edit.linear;
+    });
+}
+
 void FileController::openSource(const QString& title,
                                 std::function<Result<std::shared_ptr<const Source>>()> load,
-                                const QString& recent) {
+                                const QString& recent,
+                                Place place) {
     m_runner.submit(JobKind::Open,
                     title,
-                    [this, load = std::move(load), recent](JobContext&) -> Delivery {
+                    [this, load = std::move(load), recent, place](JobContext&) -> Delivery {
                         auto source = load();
-                        return [this, source = std::move(source), recent] {
+                        return [this, source = std::move(source), recent, place] {
                             if (!source) {
                                 tell(source.error());
                                 return;
                             }
-                            show(*source, (*source)->name());
+                            if (place == Place::Second)
+                                showSecond(*source);
+                            else
+                                show(*source, (*source)->name());
                             if (!recent.isEmpty())
                                 remember(recent);
                         };
@@ -146,23 +165,57 @@ void FileController::openProjectFile(const QString& path) {
         });
 }
 
-void FileController::openDialog() {
+void FileController::showDialog(const QString& title,
+                                const QString& filter,
+                                const std::function<void(const QStringList&)>& open) {
     auto* dialog =
-        new QFileDialog(&m_window,
-                        tr("Open a photo, texton or project"),
-                        m_settings.folder(QStringLiteral("open")),
-                        tr("All that can be opened (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr "
-                           "*.tga *.bmp *.webp *.texton "
-                           "*.txnproj);;Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga "
-                           "*.bmp *.webp);;Textons "
-                           "(*.texton *.exr *.png);;Projects (*.txnproj);;All files (*)"));
+        new QFileDialog(&m_window, title, m_settings.folder(QStringLiteral("open")), filter);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFiles);
-    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
-        open(paths);
-    });
+    connect(dialog, &QFileDialog::filesSelected, this, open);
     dialog->open();
+}
+
+void FileController::openDialog() {
+    showDialog(tr("Open a photo, texton or project"),
+               tr("All that can be opened (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr "
+                  "*.tga *.bmp *.webp *.texton "
+                  "*.txnproj);;Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga "
+                  "*.bmp *.webp);;Textons "
+                  "(*.texton *.exr *.png);;Projects (*.txnproj);;All files (*)"),
+               [this](const QStringList& paths) { open(paths); });
+}
+
+void FileController::openSecondDialog() {
+    showDialog(tr("Open the second material"),
+               tr("Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;"
+                  "All files (*)"),
+               [this](const QStringList& paths) { openSecond(paths); });
+}
+
+void FileController::openSecond(const QStringList& paths) {
+    if (paths.size() == 1) {
+        openSource(
+            tr("Opening %1").arg(QFileInfo(paths.front()).fileName()),
+            [path = paths.front()] { return app::openSource(path); },
+            paths.front(),
+            Place::Second);
+        return;
+    }
+    openSource(
+        tr("Opening the maps of a material"),
+        [paths] { return openStack(paths); },
+        {},
+        Place::Second);
+}
+
+void FileController::openSecondSample(const QString& name) {
+    openSource(
+        tr("Making the sample"),
+        [name] { return sampleSource(name); },
+        {},
+        Place::Second);
 }
 
 bool FileController::canOpen(const QMimeData& data) {
@@ -172,13 +225,24 @@ bool FileController::canOpen(const QMimeData& data) {
 }
 
 bool FileController::openMime(const QMimeData& data) {
+    return openMime(data, Place::First);
+}
+
+bool FileController::openSecondMime(const QMimeData& data) {
+    return openMime(data, Place::Second);
+}
+
+bool FileController::openMime(const QMimeData& data, Place place) {
     QStringList paths;
     for (const QUrl& url : data.urls()) {
         if (url.isLocalFile())
             paths.append(url.toLocalFile());
     }
     if (!paths.isEmpty()) {
-        open(paths);
+        if (place == Place::Second)
+            openSecond(paths);
+        else
+            open(paths);
         return true;
     }
     // A PNG is passed on as it is; other pictures are unpacked by Qt and packed again in the job.
@@ -200,7 +264,8 @@ bool FileController::openMime(const QMimeData& data) {
                     "the pasted picture cannot be read; please save it as a file and open that"};
             return decodeSource(bytes, name);
         },
-        {});
+        {},
+        place);
     return true;
 }
 

@@ -34,6 +34,12 @@ class FileController : public QObject {
     void openDialog();
     /// A file's path or a picture. False if there is nothing of the kind in it.
     bool openMime(const QMimeData& data);
+
+    // The same for the second exemplar of a mixture: pictures and maps only.
+    void openSecond(const QStringList& paths);
+    void openSecondSample(const QString& name);
+    void openSecondDialog();
+    bool openSecondMime(const QMimeData& data);
     static bool canOpen(const QMimeData& data);
 
     void newProject();
@@ -52,9 +58,18 @@ class FileController : public QObject {
     void recentFilesChanged();
 
   private:
+    /// Which exemplar.
+    enum class Place { First, Second };
+
     void openSource(const QString& title,
                     std::function<Result<std::shared_ptr<const Source>>()> load,
-                    const QString& recent);
+                    const QString& recent,
+                    Place place = Place::First);
+    bool openMime(const QMimeData& data, Place place);
+    void showDialog(const QString& title,
+                    const QString& filter,
+                    const std::function<void(const QStringList&)>& open);
+    void showSecond(const std::shared_ptr<const Source>& source);
     void openPictureOrTexton(const QString& path);
     void openProjectFile(const QString& path);
     void show(const Opened& opened, const QString& name);

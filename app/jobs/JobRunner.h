@@ -17,7 +17,9 @@ namespace txn::app {
 enum class JobKind {
     Open,
     Exemplar,
+    SecondExemplar,
     Texton,
+    Mix,
     Gaussian,
     Mesh,
     Verdict,
@@ -27,7 +29,7 @@ enum class JobKind {
     Export,
     Autosave
 };
-inline constexpr int kJobKinds = 11;
+inline constexpr int kJobKinds = 13;
 
 /// What a finished job leaves to be done on the interface thread.
 using Delivery = std::function<void()>;

@@ -3,7 +3,7 @@
 
 #include "app/display/PicturePyramid.h"
 #include "app/document/Source.h"
-#include "core/compute/ComputeTexton.h"
+#include "core/compute/MixSolver.h"
 #include "core/gaussian/Exemplar.h"
 #include "core/gaussian/GaussianModel.h"
 #include "core/mesh/TriangleMesh.h"
@@ -69,6 +69,22 @@ struct TextonResult {
     bool choosingKernels = false;             ///< a texton of a trial
     bool finished = false;
     bool imported = false; ///< came from a file: there is no curve and no error
+};
+
+/// One of the textons between two exemplars, as the film strip shows it.
+struct MixFrame {
+    double rho = 0.0;
+    QImage texton;
+    QImage noise; ///< of it alone, at 100 %
+};
+
+/// The textons between two exemplars, all of them or those so far.
+struct MixResult {
+    MixedTextons mixed;
+    MaterialMaps maps;
+    std::vector<MixFrame> frames; ///< one for each of mixed.textons
+    double distance = 0.0;        ///< d_OT from A to B
+    bool finished = false;
 };
 
 /// Log power spectra, autocorrelations and histograms of exemplar, Gaussian version and noise.

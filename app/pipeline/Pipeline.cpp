@@ -27,11 +27,28 @@ Pipeline::Pipeline(ProjectDocument& document, JobRunner& runner, QObject* parent
     connect(&m_runner, &JobRunner::jobsChanged, this, &Pipeline::stateChanged);
 }
 
+/// Where the two exemplars have changed places, so have their results.
+void Pipeline::swapExemplars() {
+    const Project& project = m_document.project();
+    if (!m_exemplar.value || !m_second.value || m_exemplar.isStale() || m_second.isStale() ||
+        m_exemplar.made != ExemplarKey{project.mix.source, project.mix.edit} ||
+        m_second.made != ExemplarKey{project.source, project.edit} ||
+        m_exemplar.made == m_second.made)
+        return;
+    std::swap(m_exemplar, m_second);
+    emit exemplarChanged();
+    emit secondExemplarChanged();
+}
+
 void Pipeline::update() {
     dropKeptOfOthers();
+    swapExemplars();
     updateExemplar();
     updateGaussian();
     updateTexton();
+    updateSecondExemplar();
+    updateMix();
+    updateMixture();
     updateVerdict();
     updateMesh();
     updateNoiseTexton();
@@ -182,10 +199,133 @@ void Pipeline::recomputeTexton() {
     // What failed or was stopped is tried again, too.
     retry(JobKind::Exemplar, m_exemplar);
     retry(JobKind::Gaussian, m_gaussian);
+    retry(JobKind::SecondExemplar, m_second);
+    retry(JobKind::Mix, m_mix);
     retry(JobKind::Verdict, m_verdict);
     retry(JobKind::Analysis, m_analysis);
     retry(JobKind::Mesh, m_mesh);
     update();
+}
+
+void Pipeline::updateSecondExemplar() {
+    const MixSettings& mix = m_document.project().mix;
+    if (!mix.source || !m_document.project().source) {
+        if (drop(JobKind::SecondExemplar, m_second))
+            emit secondExemplarChanged();
+        return;
+    }
+    const ExemplarKey key{mix.source, mix.edit};
+    if (!m_second.want(key))
+        return;
+    if (m_second.made == key) { // undone before the new one was there
+        m_runner.cancel(JobKind::SecondExemplar);
+        return;
+    }
+    m_runner.submit(JobKind::SecondExemplar,
+                    tr("Preparing the second exemplar"),
+                    [this, key](JobContext& context) -> Delivery {
+                        auto result = makeExemplarResult(key.source, key.edit, context);
+                        return [this, key, result = std::move(result)] {
+                            if (!result) {
+                                fail(result.error());
+                                return;
+                            }
+                            m_second.set(key, *result);
+                            emit secondExemplarChanged();
+                            update();
+                        };
+                    });
+}
+
+void Pipeline::updateMix() {
+    if (!m_second.value || !m_exemplar.value) {
+        if (drop(JobKind::Mix, m_mix)) {
+            m_finishedMix.reset();
+            m_finishedMixOf = {};
+            emit mixChanged();
+        }
+        return;
+    }
+    if (m_exemplar.isStale() || m_second.isStale())
+        return; // soon there is another one
+    const Project& project = m_document.project();
+    const MixKey key{{m_exemplar.value, m_second.value, project.texton}, project.mix.textons};
+    if (!m_mix.want(key))
+        return;
+    if (m_mix.made == key) {
+        m_runner.cancel(JobKind::Mix);
+        m_mix.value = m_finishedMix;
+        emit mixChanged();
+        return;
+    }
+    const auto known = m_finishedMixOf == key.input ? m_finishedMix : nullptr;
+    m_runner.submit(JobKind::Mix,
+                    tr("Computing the textons from A to B"),
+                    [this, key, known](JobContext& context) -> Delivery {
+                        auto result =
+                            computeMix(key.input,
+                                       key.textons,
+                                       known,
+                                       context,
+                                       [&](std::shared_ptr<const MixResult> partial) {
+                                           context.deliver([this, partial = std::move(partial)] {
+                                               m_mix.value = partial;
+                                               emit mixChanged();
+                                           });
+                                       });
+                        return [this, key, result = std::move(result)] {
+                            if (!result) {
+                                fail(result.error());
+                                m_mix.value = m_finishedMix;
+                                emit mixChanged();
+                                return;
+                            }
+                            m_mix.set(key, *result);
+                            m_finishedMix = *result;
+                            m_finishedMixOf = key.input;
+                            updateMixture();
+                            emit mixChanged();
+                        };
+                    });
+}
+
+void Pipeline::previewMap(std::shared_ptr<const MixingMap> map) {
+    m_previewMap = std::move(map);
+    if (m_previewMap)
+        emit mixtureChanged();
+    else
+        m_updateSoon.start(); // not the map before the stroke for an instant
+}
+
+void Pipeline::updateMixture() {
+    const Project& project = m_document.project();
+    const MixLook look{m_finishedMix, project.noise.contrast, project.noise.brightness};
+    bool changed = m_mixLook != look;
+    if (changed) {
+        m_mixLook = look;
+        m_mixTextons.reset();
+        if (look.mix) {
+            auto textons = std::make_shared<std::vector<Texton>>();
+            for (const MixedTexton& one : look.mix->mixed.textons)
+                textons->push_back(
+                    adjusted(one.texton, look.mix->maps, look.contrast, look.brightness));
+            m_mixTextons = std::move(textons);
+        }
+    }
+    const MapLook map{project.mix.map, mapPlacement(project.mix), project.mix.repeats};
+    if (m_mapLook != map) {
+        m_mapLook = map;
+        auto made = std::make_shared<MixingMap>();
+        made->rho = map.map.image();
+        made->placement = map.placement;
+        made->boundary = map.repeats ? MapBoundary::Repeat : MapBoundary::Clamp;
+        m_mixingMap = std::move(made);
+        changed = true;
+    }
+    changed = changed || m_shownMap != mixingMap();
+    m_shownMap = mixingMap();
+    if (changed)
+        emit mixtureChanged();
 }
 
 void Pipeline::updateVerdict() {

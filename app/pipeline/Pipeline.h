@@ -3,6 +3,7 @@
 
 #include "app/document/ProjectDocument.h"
 #include "app/jobs/JobRunner.h"
+#include "app/jobs/MixJob.h"
 #include "app/jobs/Results.h"
 #include "app/pipeline/Stage.h"
 
@@ -35,6 +36,20 @@ class Pipeline : public QObject {
     /// texton(), or the kept one while that is shown.
     std::shared_ptr<const TextonResult> shownTexton() const;
 
+    // Of a mixture with a second exemplar; null where there is none (yet).
+    std::shared_ptr<const ExemplarResult> secondExemplar() const { return m_second.value; }
+    /// While it is computed, with the textons so far.
+    std::shared_ptr<const MixResult> mix() const { return m_mix.value; }
+    /// All textons of the newest whole mixture, with the noise's contrast and brightness.
+    std::shared_ptr<const std::vector<Texton>> mixTextons() const { return m_mixTextons; }
+    /// The project's map, ready for the noise.
+    std::shared_ptr<const MixingMap> mixingMap() const {
+        return m_previewMap ? m_previewMap : m_mixingMap;
+    }
+    /// Another one takes its place while a stroke is drawn; null: no longer.
+    void previewMap(std::shared_ptr<const MixingMap> map);
+    bool isMixStale() const { return m_second.isStale() || m_mix.isStale(); }
+
     std::shared_ptr<const Suitability> verdict() const;
     std::optional<SupportSuggestion> suggestedSupport() const;
     std::shared_ptr<const AnalysisResult> analysis() const { return m_analysis.value; }
@@ -64,6 +79,10 @@ class Pipeline : public QObject {
     void gaussianChanged();
     void textonChanged();
     void noiseTextonChanged();
+    void secondExemplarChanged();
+    void mixChanged();
+    /// mixTextons() or mixingMap().
+    void mixtureChanged();
     void verdictChanged();
     void analysisChanged();
     void meshChanged();
@@ -77,6 +96,10 @@ class Pipeline : public QObject {
     void updateExemplar();
     void updateGaussian();
     void updateTexton();
+    void swapExemplars();
+    void updateSecondExemplar();
+    void updateMix();
+    void updateMixture();
     void updateVerdict();
     void updateAnalysis();
     void updateMesh();
@@ -115,6 +138,25 @@ class Pipeline : public QObject {
         int attempt = 0; ///< so that the same texton can be asked for again
         bool operator==(const TextonKey&) const = default;
     };
+    struct MixKey {
+        MixInput input;
+        int textons = 0;
+        bool operator==(const MixKey&) const = default;
+    };
+    /// What mixTextons() were made of.
+    struct MixLook {
+        std::shared_ptr<const MixResult> mix;
+        double contrast = 1.0;
+        double brightness = 0.0;
+        bool operator==(const MixLook&) const = default;
+    };
+    /// What mixingMap() was made of.
+    struct MapLook {
+        PaintedMap map;
+        MapPlacement placement;
+        bool repeats = false;
+        bool operator==(const MapLook&) const = default;
+    };
     struct AnalysisKey {
         std::shared_ptr<const ExemplarResult> exemplar;
         std::shared_ptr<const GaussianResult> gaussian;
@@ -132,6 +174,16 @@ class Pipeline : public QObject {
     Stage<ExemplarKey, ExemplarResult> m_exemplar;
     Stage<GaussianKey, GaussianResult> m_gaussian;
     Stage<TextonKey, TextonResult> m_texton;
+    Stage<ExemplarKey, ExemplarResult> m_second;
+    Stage<MixKey, MixResult> m_mix;
+    std::shared_ptr<const MixResult> m_finishedMix;
+    MixInput m_finishedMixOf;
+    std::shared_ptr<const std::vector<Texton>> m_mixTextons;
+    MixLook m_mixLook;
+    std::shared_ptr<const MixingMap> m_mixingMap;
+    std::shared_ptr<const MixingMap> m_previewMap;
+    std::shared_ptr<const MixingMap> m_shownMap; ///< that mixtureChanged() last told of
+    std::optional<MapLook> m_mapLook;
     Stage<std::shared_ptr<const ExemplarResult>, Judgement> m_verdict;
     Stage<AnalysisKey, AnalysisResult> m_analysis;
     Stage<QString, TriangleMesh> m_mesh;

@@ -4,6 +4,7 @@
 #include "app/display/PicturePyramid.h"
 #include "core/material/MaterialMap.h"
 #include "core/mesh/TriangleMesh.h"
+#include "core/mixing/MixingMap.h"
 #include "core/texton/Texton.h"
 #include "gl/NoiseStyle.h"
 #include "gl/View.h"
@@ -11,13 +12,16 @@
 #include <QImage>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace txn::app {
 
 /// What a view wants to see of the noise. A plain value.
 struct NoiseRequest {
     std::shared_ptr<const Texton> texton;
-    MaterialMaps maps;              ///< of a stack
+    std::shared_ptr<const std::vector<Texton>> mixture; ///< instead, where there is one, with
+    std::shared_ptr<const MixingMap> mixingMap;         ///< where each of them is
+    MaterialMaps maps;                                  ///< of a stack
     std::optional<std::size_t> map; ///< that is shown; unset: the material under the style's light
     std::shared_ptr<const TriangleMesh> mesh; ///< for mesh views
     NoiseStyle style;

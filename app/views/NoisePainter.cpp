@@ -83,23 +83,44 @@ double NoisePainter::scaleFor(const NoiseRequest& request, double milliseconds) 
 
 void NoisePainter::show(const NoiseRequest& request) {
     m_texton = request.texton;
+    m_mixture = request.mixture;
     m_maps = request.maps;
     m_map = request.map;
-    m_relief.reset();
+    m_mixingMap.reset(); // depends on how many textons there are
+    m_reliefs.reset();
     m_drawnMap.reset();
-    if (channelCount(m_maps) != m_texton->channels()) {
-        m_shownTexton = m_texton->channels() <= kColors
-                            ? m_texton
-                            : std::make_shared<const Texton>(firstChannels(*m_texton, kColors));
-    } else if (m_map || !m_context) {
-        // The processor does not shade: it shows the colors.
+    const std::span<const Texton> textons =
+        m_mixture ? std::span<const Texton>(*m_mixture) : std::span(m_texton.get(), 1);
+    const int channels = textons.front().channels();
+    const bool isStack = channelCount(m_maps) == channels;
+    if (isStack && (m_map || !m_context)) // the processor does not shade: it shows the colors
         m_drawnMap = m_map ? *m_map : findMap(m_maps, MapKind::Color).value_or(0);
-        m_shownTexton = std::make_shared<const Texton>(mapTexton(*m_texton, m_maps, *m_drawnMap));
-    } else {
-        auto material = materialTextons(*m_texton, m_maps);
-        m_shownTexton = std::move(material.base);
-        m_relief = std::move(material.relief);
+    auto shown = std::make_shared<std::vector<Texton>>();
+    auto reliefs = std::make_shared<std::vector<Texton>>();
+    for (const Texton& texton : textons) {
+        if (!isStack) {
+            shown->push_back(firstChannels(texton, std::min(channels, kColors)));
+        } else if (m_drawnMap) {
+            shown->push_back(mapTexton(texton, m_maps, *m_drawnMap));
+        } else {
+            const auto material = materialTextons(texton, m_maps);
+            shown->push_back(*material.base);
+            reliefs->push_back(*material.relief);
+        }
     }
+    m_shown = std::move(shown);
+    if (!reliefs->empty())
+        m_reliefs = std::move(reliefs);
+}
+
+void NoisePainter::showMap(const std::shared_ptr<const MixingMap>& map) {
+    if (m_mixingMap == map)
+        return;
+    m_mixingMap = map;
+    m_renderer.setField(map ? std::make_shared<const TextonField>(*map,
+                                                                  static_cast<int>(m_shown->size()),
+                                                                  m_shown->front().footprint())
+                            : nullptr);
 }
 
 /// Normals are drawn as slopes.
@@ -114,11 +135,13 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
     using Clock = std::chrono::steady_clock;
     // Uploading a texton or a mesh costs the same at any size, and must not count as cost per
     // pixel.
-    const bool same = request.texton == m_texton && request.maps == m_maps && request.map == m_map;
+    const bool same = request.texton == m_texton && request.mixture == m_mixture &&
+                      request.maps == m_maps && request.map == m_map;
     const bool warm =
         same && (!std::holds_alternative<MeshView>(request.view) || request.mesh == m_mesh);
     if (!same)
         show(request);
+    showMap(request.mixingMap);
     const Size size = scaled(request.size, scale);
     const auto start = Clock::now();
     auto image = m_context ? drawOnCard(request, size, scale, stop)
@@ -149,7 +172,7 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
     frame.onProcessor = !m_context;
     frame.milliseconds = nanoseconds / 1e6;
     frame.fetchesPerPixel =
-        request.style.noise.meanImpacts * fetchesPerImpact(request.texton->interpolationOrder);
+        request.style.noise.meanImpacts * fetchesPerImpact(m_shown->front().interpolationOrder);
     return std::optional<NoiseFrame>(std::move(frame));
 }
 
@@ -165,8 +188,8 @@ Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& reques
             return target.error();
         m_target = std::move(*target);
     }
-    m_renderer.setTexton(m_shownTexton);
-    m_renderer.setRelief(m_relief);
+    m_renderer.setTextons(m_shown);
+    m_renderer.setReliefs(m_reliefs);
     const View view = atScale(request.view, scale);
     if (std::holds_alternative<MeshView>(view) && request.mesh != m_mesh) {
         m_renderer.setMesh(request.mesh);
@@ -185,8 +208,9 @@ Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& reques
         m_context->finish();
     }
     // A material's fourth channel is no transparency.
-    const int channels = m_relief ? kColors : m_shownTexton->channels();
-    return std::optional<Image>(finished(m_target.read(channels, m_shownTexton->transfer)));
+    const Texton& first = m_shown->front();
+    const int channels = m_reliefs ? kColors : first.channels();
+    return std::optional<Image>(finished(m_target.read(channels, first.transfer)));
 }
 
 Result<std::optional<Image>> NoisePainter::drawOnProcessor(const NoiseRequest& request,
@@ -198,14 +222,18 @@ Result<std::optional<Image>> NoisePainter::drawOnProcessor(const NoiseRequest& r
     if (const auto* asked = std::get_if<PlaneView>(&request.view))
         plane = *asked;
     const double zoom = std::clamp(plane.zoom * scale, NoiseGrid::kMinScale, NoiseGrid::kMaxScale);
-    auto grid = NoiseGrid::create(*m_shownTexton, request.style.noise, zoom);
+    Mixture mixture;
+    mixture.textons = *m_shown;
+    if (m_mixingMap)
+        mixture.map = *m_mixingMap;
+    auto grid = NoiseGrid::create(std::move(mixture), request.style.noise, zoom);
     if (!grid)
         return grid.error();
     const auto left = std::llround(plane.centerX * zoom - size.width / 2.0);
     const auto top = std::llround(plane.centerY * zoom - size.height / 2.0);
-    const int channels = m_shownTexton->channels();
+    const int channels = m_shown->front().channels();
     const int bandRows = std::max(1, grid->tileSize().height); // tiles are computed whole anyway
-    Image whole(size, channels, 0.0F, m_shownTexton->transfer);
+    Image whole(size, channels, 0.0F, m_shown->front().transfer);
     for (int y = 0; y < size.height; y += bandRows) {
         if (y > 0 && stop())
             return std::optional<Image>();

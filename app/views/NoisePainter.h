@@ -31,6 +31,7 @@ class NoisePainter {
 
   private:
     void show(const NoiseRequest& request);
+    void showMap(const std::shared_ptr<const MixingMap>& map);
     Image finished(Image drawn) const;
     Result<std::optional<Image>> drawOnCard(const NoiseRequest& request,
                                             Size size,
@@ -46,12 +47,17 @@ class NoisePainter {
     OffscreenTarget m_target;
     std::string m_rendererName;
     std::string m_problem;
-    std::shared_ptr<const Texton> m_texton; ///< as requested
+    using Textons = std::shared_ptr<const std::vector<Texton>>;
+
+    // As requested.
+    std::shared_ptr<const Texton> m_texton;
+    Textons m_mixture;
+    std::shared_ptr<const MixingMap> m_mixingMap;
     MaterialMaps m_maps;
     std::optional<std::size_t> m_map;
-    std::optional<std::size_t> m_drawnMap;       ///< alone
-    std::shared_ptr<const Texton> m_shownTexton; ///< its first channels, a map's, or a material's
-    std::shared_ptr<const Texton> m_relief;      ///< of a shaded material
+    std::optional<std::size_t> m_drawnMap; ///< alone
+    Textons m_shown;   ///< one, or those of a mixture: first channels, a map's, or a material's
+    Textons m_reliefs; ///< of a shaded material
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::array<double, 3> m_cost{}; ///< nanoseconds per pixel by the kind of view; 0: not known yet
 };

@@ -3,6 +3,7 @@
 
 #include "app/display/Difference.h"
 #include "app/look/Theme.h"
+#include "app/mixing/MapPainter.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
 #include "app/views/ViewCamera.h"
@@ -13,6 +14,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QRandomGenerator>
+#include <QTabletEvent>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -32,10 +34,12 @@ PictureView::PictureView(ProjectDocument& document,
                          Pipeline& pipeline,
                          NoiseService& noise,
                          Settings& settings,
+                         MapPainter& painter,
                          int place,
                          QWidget* parent)
     : QWidget(parent), m_document(document), m_pipeline(pipeline), m_settings(settings),
-      m_feed(new NoiseFeed(noise, this)), m_place(place), m_title(new ViewTitle(place, this)) {
+      m_feed(new NoiseFeed(noise, this)), m_place(place), m_painter(painter),
+      m_title(new ViewTitle(place, this)) {
     setObjectName(QStringLiteral("view%1").arg(place));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -58,6 +62,11 @@ PictureView::PictureView(ProjectDocument& document,
     connect(&m_pipeline, &Pipeline::textonChanged, this, &PictureView::refresh);
     connect(&m_pipeline, &Pipeline::noiseTextonChanged, this, &PictureView::refresh);
     connect(&m_pipeline, &Pipeline::meshChanged, this, &PictureView::refresh);
+    connect(&m_pipeline, &Pipeline::mixtureChanged, this, &PictureView::refresh);
+    connect(&m_painter.tools(), &PaintTools::changed, this, [this] {
+        m_brushAt.reset();
+        update();
+    });
     connect(&m_pipeline, &Pipeline::stateChanged, this, &PictureView::refresh);
     refresh();
 }
@@ -116,6 +125,49 @@ std::shared_ptr<const TextonResult> PictureView::texton() const {
 
 std::shared_ptr<const Texton> PictureView::noiseTexton() const {
     return showsKept() ? m_pipeline.keptNoiseTexton() : m_pipeline.noiseTexton();
+}
+
+bool PictureView::showsMixture() const {
+    return m_document.project().mix.source && m_pipeline.mixTextons() && m_pipeline.mixingMap() &&
+           m_pipeline.mix() && !showsKept() && !m_pipeline.isShowingKept();
+}
+
+bool PictureView::canPaint() const {
+    return picture() == Picture::Noise && !orbits() && !m_panning && !m_document.view().mixTexton &&
+           showsMixture() && m_painter.isReady();
+}
+
+PlaneView PictureView::planeView() const {
+    const View view = noiseView(m_document.view(), m_document.project().noise, 1.0);
+    return std::holds_alternative<PlaneView>(view) ? std::get<PlaneView>(view) : PlaneView{};
+}
+
+QPointF PictureView::planeAt(QPointF position) const {
+    return onPlane(planeView(),
+                   screen(),
+                   (position - QPointF(area().topLeft())) * devicePixelRatioF());
+}
+
+void PictureView::paintMap(QPainter& painter) {
+    if (picture() != Picture::Noise || orbits() || m_flipped || !showsMixture() ||
+        m_document.view().mixTexton)
+        return;
+    painter.save();
+    painter.setClipRect(m_second ? QRectF(area().left(), area().top(), wipeX(), area().height())
+                                 : QRectF(area()));
+    painter.translate(area().topLeft());
+    painter.scale(1.0 / devicePixelRatioF(), 1.0 / devicePixelRatioF());
+    if (m_document.view().mapShown)
+        m_overlay.draw(painter, m_pipeline.mixingMap(), planeView(), screen());
+    const PaintTools::State& tools = m_painter.tools().state();
+    if (m_brushAt && canPaint() && tools.tool != PaintTool::Line && tools.tool != PaintTool::Circle)
+        MapOverlay::drawBrush(painter,
+                              *m_brushAt,
+                              tools.radiusPx,
+                              tools.hardness,
+                              planeView(),
+                              screen());
+    painter.restore();
 }
 
 bool PictureView::showsMaterial() const {
@@ -230,6 +282,19 @@ void PictureView::requestNoise() {
             request.maps = of->maps;
             request.map = findMap(of->maps, project.noise.map.toStdString());
         }
+        if (showsMixture()) {
+            request.maps = m_pipeline.mix()->maps;
+            request.map = findMap(request.maps, project.noise.map.toStdString());
+            const auto textons = m_pipeline.mixTextons();
+            if (const auto one = view.mixTexton;
+                one && *one >= 0 && *one < static_cast<int>(textons->size())) {
+                request.texton = {textons, &(*textons)[static_cast<std::size_t>(*one)]};
+            } else {
+                request.texton = {textons, &textons->front()};
+                request.mixture = textons;
+                request.mixingMap = m_pipeline.mixingMap();
+            }
+        }
         request.style.light = project.noise.light;
         const bool onMesh =
             project.noise.scene == NoiseScene::Mesh || project.noise.scene == NoiseScene::Surface;
@@ -238,6 +303,8 @@ void PictureView::requestNoise() {
         const double radius =
             request.mesh ? static_cast<double>(boundingSphere(*request.mesh).radius) : 1.0;
         request.style.noise.process = project.noise.process;
+        if (request.mixture && request.style.noise.process == NoiseProcess::Poisson)
+            request.style.noise.process = NoiseProcess::Signed; // a mixture needs both signs
         request.style.noise.meanImpacts = project.noise.meanImpacts;
         request.style.noise.seed = project.noise.seed;
         request.style.filter = project.noise.filter;
@@ -353,6 +420,7 @@ void PictureView::paintEvent(QPaintEvent*) {
     QImage image = composed();
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(area().topLeft(), image);
+    paintMap(painter);
     if (m_second && !m_flipped) {
         const int x = static_cast<int>(std::lround(wipeX()));
         painter.fillRect(QRect(x, area().top(), 1, area().height()), Qt::white);
@@ -380,11 +448,17 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
         m_drag = Drag::Pan;
     else if (left && orbits())
         m_drag = Drag::Orbit;
+    else if (left && canPaint())
+        m_drag = Drag::Paint;
     else if (event->button() == Qt::RightButton && showsMaterial())
         m_drag = Drag::Light;
     m_gesture = Gesture::next();
     if (m_drag == Drag::Pan)
         setCursor(Qt::ClosedHandCursor);
+    if (m_drag == Drag::Paint)
+        m_painter.press(planeAt(event->position()),
+                        m_penPressure.value_or(1.0),
+                        event->modifiers().testFlag(Qt::ShiftModifier));
 }
 
 void PictureView::mouseMoveEvent(QMouseEvent* event) {
@@ -403,12 +477,20 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
     case Drag::Light:
         moveLight(distance);
         break;
+    case Drag::Paint:
+        m_painter.move(planeAt(event->position()), m_penPressure.value_or(1.0));
+        break;
     case Drag::None:
         setCursor(m_second && std::abs(event->position().x() - wipeX()) <= kWipeGrab
                       ? Qt::SplitHCursor
-                  : m_panning ? Qt::OpenHandCursor
-                              : Qt::ArrowCursor);
+                  : m_panning  ? Qt::OpenHandCursor
+                  : canPaint() ? Qt::CrossCursor
+                               : Qt::ArrowCursor);
         break;
+    }
+    if (canPaint()) {
+        m_brushAt = planeAt(event->position());
+        update();
     }
     probe(event->position());
 }
@@ -443,7 +525,17 @@ void PictureView::moveBorder(double x) {
     });
 }
 
+void PictureView::tabletEvent(QTabletEvent* event) {
+    if (event->type() == QEvent::TabletRelease)
+        m_penPressure.reset();
+    else
+        m_penPressure = event->pressure();
+    event->ignore(); // comes again as a mouse
+}
+
 void PictureView::mouseReleaseEvent(QMouseEvent*) {
+    if (m_drag == Drag::Paint)
+        m_painter.release();
     m_drag = Drag::None;
     unsetCursor();
 }
@@ -474,6 +566,8 @@ void PictureView::zoomBy(double factor) {
 }
 
 void PictureView::leaveEvent(QEvent*) {
+    m_brushAt.reset();
+    update();
     emit probeLeft();
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/display/PicturePyramid.h"
 #include "app/document/ProjectDocument.h"
+#include "app/views/MapOverlay.h"
 #include "app/views/NoiseService.h"
 #include "app/views/PixelProbe.h"
 
@@ -13,6 +14,7 @@
 
 namespace txn::app {
 
+class MapPainter;
 class Pipeline;
 class Settings;
 class ViewTitle;
@@ -29,6 +31,7 @@ class PictureView : public QWidget {
                 Pipeline& pipeline,
                 NoiseService& noise,
                 Settings& settings,
+                MapPainter& painter,
                 int place,
                 QWidget* parent = nullptr);
 
@@ -73,10 +76,11 @@ class PictureView : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { None, Pan, Orbit, Wipe, Light };
+    enum class Drag { None, Pan, Orbit, Wipe, Light, Paint };
 
     void connectTitle();
     void refresh();
@@ -85,6 +89,12 @@ class PictureView : public QWidget {
     QImage drawn(Picture picture);
     QImage drawnNoise() const;
     QImage composed();
+    /// Whether the noise shown here, seen from above, is a mixture.
+    bool showsMixture() const;
+    bool canPaint() const;
+    QPointF planeAt(QPointF position) const;
+    PlaneView planeView() const;
+    void paintMap(QPainter& painter);
     QString info() const;
     void paintHint(QPainter& painter);
     Size referenceSize() const;
@@ -118,6 +128,10 @@ class PictureView : public QWidget {
     Drag m_drag = Drag::None;
     QPointF m_last;
     Gesture m_gesture; ///< of the drag
+    MapPainter& m_painter;
+    MapOverlay m_overlay;
+    std::optional<double> m_penPressure; ///< of a pen that is down
+    std::optional<QPointF> m_brushAt;    ///< where the mouse is, over a map that can be painted
 
     /// What was drawn last, since most repaints change nothing about it.
     struct Drawn {

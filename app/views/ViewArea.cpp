@@ -38,14 +38,20 @@ ViewArea::ViewArea(ProjectDocument& document,
                    Pipeline& pipeline,
                    NoiseService& noise,
                    Settings& settings,
+                   MapPainter& painter,
                    QWidget* parent)
     : QWidget(parent), m_document(document), m_pipeline(pipeline), m_grid(new QGridLayout(this)) {
     setObjectName(QStringLiteral("viewArea"));
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setSpacing(2);
     for (std::size_t place = 0; place < m_views.size(); ++place) {
-        auto* view =
-            new PictureView(document, pipeline, noise, settings, static_cast<int>(place), this);
+        auto* view = new PictureView(document,
+                                     pipeline,
+                                     noise,
+                                     settings,
+                                     painter,
+                                     static_cast<int>(place),
+                                     this);
         m_views[place] = view;
         connect(view, &PictureView::probed, this, &ViewArea::probed);
         connect(view, &PictureView::probeLeft, this, &ViewArea::probeLeft);

@@ -18,6 +18,7 @@ class ViewArea : public QWidget {
              Pipeline& pipeline,
              NoiseService& noise,
              Settings& settings,
+             MapPainter& painter,
              QWidget* parent = nullptr);
 
     void setLayoutKind(ViewLayout layout);
