@@ -695,6 +695,22 @@
         <source>Progress</source>
         <translation>Progression</translation>
     </message>
+    <message>
+        <source>Mixture</source>
+        <translation>Mélange</translation>
+    </message>
+    <message>
+        <source>All textons from A to B in a folder of their own: one EXR with a layer for each, the same as single files, a description, and the map as a gray picture. A noise texture of the mixture begins at the corner of the map; to tile, the map has to repeat.</source>
+        <translation>Tous les textons de A à B dans un dossier à part : un EXR avec un calque pour chacun, les mêmes en fichiers séparés, une description et la carte en image grise. Une texture de bruit du mélange commence au coin de la carte ; pour se raccorder, la carte doit se répéter.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>There is no mixture yet. Open a second material first.</source>
+        <translation>Il n&apos;y a pas encore de mélange. Ouvrez d&apos;abord une seconde matière.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::FileController</name>

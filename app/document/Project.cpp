@@ -9,6 +9,10 @@ MaterialMaps mapsOf(const Project& project) {
     return project.importedTexton ? project.importedTexton->maps : MaterialMaps{};
 }
 
+NoiseProcess mixedProcess(NoiseProcess process) {
+    return process == NoiseProcess::Poisson ? NoiseProcess::Signed : process;
+}
+
 MapPlacement mapPlacement(const MixSettings& mix) {
     const Size size = mix.map.size();
     const double width = size.width * mix.mapScale;

@@ -90,6 +90,9 @@ struct MixSettings {
     bool operator==(const MixSettings&) const = default;
 };
 
+/// A mixture needs impacts of both signs.
+[[nodiscard]] NoiseProcess mixedProcess(NoiseProcess process);
+
 /// The map lies around the middle of the plane.
 [[nodiscard]] MapPlacement mapPlacement(const MixSettings& mix);
 

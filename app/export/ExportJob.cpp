@@ -7,7 +7,9 @@
 #include "core/export/Exporter.h"
 
 #include <QBuffer>
+#include <QDir>
 #include <QFile>
+#include <cmath>
 
 namespace txn::app {
 namespace {
@@ -36,6 +38,15 @@ Result<void> writeTexton(const QStringList& files, const ExportSnapshot& snapsho
     return written ? Result<void>() : written.error();
 }
 
+/// All of a mixture into a folder of its own.
+Result<void> writeMixture(const ExportPlan& plan, const ExportSnapshot& snapshot) {
+    if (!snapshot.mixture)
+        return Error{ErrorCode::InvalidArgument, "open a second material first, to mix it"};
+    const auto saved = saveMixture(*snapshot.mixture,
+                                   toPath(QDir(plan.folder).filePath(exportName(plan, snapshot))));
+    return saved ? Result<void>() : saved.error();
+}
+
 Result<double> writeNoise(const QString& file,
                           const ExportPlan& plan,
                           const ExportSnapshot& snapshot,
@@ -44,12 +55,20 @@ Result<double> writeNoise(const QString& file,
     NoiseParams params = noiseParams(snapshot.noise);
     if (plan.tileable)
         params.period = Period{plan.size.width / scale, plan.size.height / scale};
-    const auto grid = NoiseGrid::create(snapshot.asset.texton, params, scale);
+    Rect rect{plan.tileable ? 0 : plan.originX, plan.tileable ? 0 : plan.originY, plan.size};
+    Mixture mixture(snapshot.asset.texton);
+    if (snapshot.mixture) {
+        mixture = snapshot.mixture->mixture;
+        params.process = snapshot.mixture->process;
+        // From the corner of the map on: that is what was painted.
+        rect.x += std::llround(mixture.map.placement.left * scale);
+        rect.y += std::llround(mixture.map.placement.top * scale);
+    }
+    const auto grid = NoiseGrid::create(std::move(mixture), params, scale);
     if (!grid)
         return grid.error();
     SaveOptions options;
     options.sampleFormat = plan.depth;
-    const Rect rect{plan.tileable ? 0 : plan.originX, plan.tileable ? 0 : plan.originY, plan.size};
     const auto report = bake(
         *grid,
         rect,
@@ -130,6 +149,9 @@ runExport(const ExportPlan& plan, const ExportSnapshot& snapshot, JobContext& co
     }
     case ExportKind::View:
         done = saveView(report.files.front(), snapshot.view);
+        break;
+    case ExportKind::Mixture:
+        done = writeMixture(plan, snapshot);
         break;
     case ExportKind::Engine:
         done = writeEngine(report.files, plan, snapshot, context);

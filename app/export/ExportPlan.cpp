@@ -58,6 +58,8 @@ QString standardTemplate(const ExportPlan& plan) {
                              : QStringLiteral("{name}_noise_{size}");
     case ExportKind::View:
         return QStringLiteral("{name}_view");
+    case ExportKind::Mixture:
+        return QStringLiteral("{name}_mixture");
     case ExportKind::Engine:
         break;
     }
@@ -103,6 +105,15 @@ QStringList exportFiles(const ExportPlan& plan, const ExportSnapshot& snapshot) 
                    : mapFiles(noiseFile(plan, snapshot), snapshot.asset.maps);
     case ExportKind::View:
         return {base + QStringLiteral(".png")};
+    case ExportKind::Mixture: {
+        QStringList files;
+        const std::size_t textons = snapshot.mixture ? snapshot.mixture->mixture.textons.size() : 0;
+        if (textons > 0) {
+            for (const auto& file : mixtureFiles(base.toStdString(), textons))
+                files << QString::fromStdString(file.string());
+        }
+        return files;
+    }
     case ExportKind::Engine:
         break;
     }

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "app/document/Project.h"
+#include "core/export/MixtureExport.h"
 
 #include <QImage>
 #include <QStringList>
 
 namespace txn::app {
 
-enum class ExportKind { Texton, Noise, View, Engine };
+enum class ExportKind { Texton, Noise, View, Engine, Mixture };
 
 /// What the artist wants to have written. A plain value.
 struct ExportPlan {
@@ -37,6 +38,8 @@ struct ExportPlan {
 struct ExportSnapshot {
     QString name;      ///< of the material: the exemplar's without its ending
     TextonAsset asset; ///< with the noise's contrast and brightness
+    /// Where there are two materials, likewise: noise is made of it.
+    std::shared_ptr<const MixtureAsset> mixture;
     NoiseSettings noise;
     QImage view; ///< what is on screen
 };

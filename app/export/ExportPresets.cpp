@@ -30,7 +30,7 @@ ExportPlan fromJson(const QJsonObject& json) {
     ExportPlan plan;
     plan.kind = static_cast<ExportKind>(std::clamp(json.value(QLatin1String("kind")).toInt(),
                                                    0,
-                                                   static_cast<int>(ExportKind::Engine)));
+                                                   static_cast<int>(ExportKind::Mixture)));
     plan.nameTemplate = json.value(QLatin1String("name")).toString();
     plan.textonExr = json.value(QLatin1String("exr")).toBool(true);
     plan.textonPng = json.value(QLatin1String("png")).toBool();

@@ -35,6 +35,7 @@ namespace {
 constexpr std::array kSizes{512, 1024, 2048, 4096, 8192, 16384};
 constexpr int kFarthestOrigin = 40'000'000;
 constexpr int kPollMs = 100;
+constexpr qsizetype kMostLines = 5;
 const QString kFolder = QStringLiteral("export");
 
 } // namespace
@@ -60,6 +61,7 @@ ExportDialog::ExportDialog(ProjectDocument& document,
     connect(&m_poll, &QTimer::timeout, this, &ExportDialog::showProgress);
     connect(&m_runner, &JobRunner::jobsChanged, this, &ExportDialog::showProgress);
     connect(&m_pipeline, &Pipeline::noiseTextonChanged, this, &ExportDialog::showFiles);
+    connect(&m_pipeline, &Pipeline::mixtureChanged, this, &ExportDialog::showFiles);
     connect(&m_document, &ProjectDocument::projectChanged, this, &ExportDialog::showFiles);
     showProgress();
 }
@@ -167,7 +169,8 @@ void ExportDialog::build() {
     m_kinds->setFixedWidth(152);
     m_kinds->setToolTip(tr("What to write."));
     m_kinds->ensurePolished(); // the rows are measured by the style
-    m_kinds->addItems({tr("Texton"), tr("Noise texture"), tr("Current view"), tr("For engines")});
+    m_kinds->addItems(
+        {tr("Texton"), tr("Noise texture"), tr("Current view"), tr("For engines"), tr("Mixture")});
     m_pages = new QStackedWidget;
     m_pages->addWidget(buildTextonPage());
     m_pages->addWidget(buildNoisePage());
@@ -176,6 +179,10 @@ void ExportDialog::build() {
         tr("Everything to draw endless material in your own program: the texton, one "
            "self-contained shader "
            "(GLSL 330, free to use under CC0), its parameters, and a small example program.")));
+    m_pages->addWidget(buildNotePage(
+        tr("All textons from A to B in a folder of their own: one EXR with a layer for each, the "
+           "same as single files, a description, and the map as a gray picture. A noise texture of "
+           "the mixture begins at the corner of the map; to tile, the map has to repeat.")));
     connect(m_kinds, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row < 0 || m_reading)
             return;
@@ -354,7 +361,30 @@ ExportSnapshot ExportDialog::snapshot() const {
         shot.asset.texton = *texton;
         shot.asset.maps = m_pipeline.texton()->maps;
     }
+    shot.mixture = mixture(shot.asset.seed);
     return shot;
+}
+
+std::shared_ptr<const MixtureAsset> ExportDialog::mixture(Seed seed) const {
+    const Project& project = m_document.project();
+    const auto textons = m_pipeline.mixTextons();
+    const auto mix = m_pipeline.mix();
+    const auto map = m_pipeline.mixingMap();
+    if (!project.mix.source || !textons || !map || !mix || !mix->finished)
+        return nullptr;
+    auto asset = std::make_shared<MixtureAsset>();
+    asset->mixture = {*textons, *map};
+    for (const MixedTexton& one : mix->mixed.textons) {
+        asset->rhos.push_back(one.rho);
+        asset->distances.push_back(one.distance);
+    }
+    asset->process = mixedProcess(project.noise.process);
+    asset->meanImpacts = project.noise.meanImpacts;
+    asset->seed = seed;
+    asset->exemplarA = project.source->name().toStdString();
+    asset->exemplarB = project.mix.source->name().toStdString();
+    asset->maps = mix->maps;
+    return asset;
 }
 
 bool ExportDialog::isReady() const {
@@ -377,8 +407,16 @@ void ExportDialog::showFiles() {
             lines << (QFileInfo::exists(file)
                           ? tr("%1  (replaces a file)").arg(QFileInfo(file).fileName())
                           : QFileInfo(file).fileName());
+        if (lines.size() > kMostLines) {
+            const auto more = lines.size() - (kMostLines - 1);
+            lines = lines.first(kMostLines - 1);
+            lines << tr("and %1 more").arg(more);
+        }
     }
-    m_files->setText(ready ? lines.join(QLatin1Char('\n')) : tr("There is no texton yet."));
+    const QString nothing = m_plan.kind == ExportKind::Mixture
+                                ? tr("There is no mixture yet. Open a second material first.")
+                                : tr("There is no texton yet.");
+    m_files->setText(lines.isEmpty() ? nothing : lines.join(QLatin1Char('\n')));
     m_hasFiles = ready && !lines.isEmpty();
     m_export->setEnabled(m_hasFiles && !m_runner.isBusy(JobKind::Export));
 }

@@ -64,6 +64,8 @@ class ExportDialog : public QDialog {
     void start();
     void run(const ExportPlan& plan, const ExportSnapshot& snapshot);
     ExportSnapshot snapshot() const;
+    /// Null where there are not two materials, or not yet.
+    std::shared_ptr<const MixtureAsset> mixture(Seed seed) const;
 
     ProjectDocument& m_document;
     Pipeline& m_pipeline;

@@ -303,8 +303,8 @@ void PictureView::requestNoise() {
         const double radius =
             request.mesh ? static_cast<double>(boundingSphere(*request.mesh).radius) : 1.0;
         request.style.noise.process = project.noise.process;
-        if (request.mixture && request.style.noise.process == NoiseProcess::Poisson)
-            request.style.noise.process = NoiseProcess::Signed; // a mixture needs both signs
+        if (request.mixture)
+            request.style.noise.process = mixedProcess(project.noise.process);
         request.style.noise.meanImpacts = project.noise.meanImpacts;
         request.style.noise.seed = project.noise.seed;
         request.style.filter = project.noise.filter;

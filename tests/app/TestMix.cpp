@@ -11,11 +11,16 @@
 #include "tests/helpers/Numbers.h"
 #include "tests/helpers/Verify.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMimeData>
+#include <QPushButton>
+#include <QSpinBox>
 #include <QUrl>
 #include <QtTest>
 
@@ -344,6 +349,67 @@ class TestMix : public QObject {
         auto* bar = studio.find<QLabel>("messageText");
         QVERIFY(waitFor([&] { return bar->text().contains("color.png"); }));
         QVERIFY(studio.project().mix.map.size() == (Size{64, 32}));
+    }
+
+    void exportsAreOfTheMixture() {
+        Studio studio;
+        QVERIFY(openSmallMix(studio));
+        studio.document().change("Map", [](Project& p) {
+            Image half({64, 64}, 1);
+            for (int y = 0; y < 64; ++y) {
+                for (int x = 32; x < 64; ++x)
+                    half.at(x, y, 0) = 1.0F;
+            }
+            p.mix.map = PaintedMap::fromImage(half);
+            p.mix.mapScale = 4.0;
+            p.noise.process = NoiseProcess::Poisson; // a mixture takes both signs all the same
+        });
+        QVERIFY(settleMix(studio));
+        studio.trigger("file.export");
+        QVERIFY(QTest::qWaitForWindowExposed(studio.find<QDialog>("exportDialog")));
+        auto* folder = studio.find<QLineEdit>("exportFolder");
+        folder->setText(m_folder.path());
+        emit folder->textEdited(m_folder.path());
+        const auto write = [&](int kind, const QString& name, const QString& file) {
+            studio.find<QListWidget>("exportKinds")->setCurrentRow(kind);
+            studio.find<QLineEdit>("exportName")->setText(name);
+            studio.find<QPushButton>("exportStart")->click();
+            return waitFor([&] { return QFile::exists(m_folder.filePath(file)); }, 20000) &&
+                   waitFor([&] { return studio->runner().isIdle(); });
+        };
+        studio.find<QListWidget>("exportKinds")->setCurrentRow(1);
+        studio.find<QCheckBox>("exportTileable")->setChecked(false);
+        studio.find<QSpinBox>("exportWidth")->setValue(256);
+        studio.find<QSpinBox>("exportHeight")->setValue(256);
+        // From the corner of the map on: rust on the left, sand on the right.
+        QVERIFY2(write(1, "baked", "baked.png"),
+                 qPrintable(studio.find<QLabel>("exportResult")->text()));
+        const Image baked = loadImage(m_folder.filePath("baked.png").toStdString())->image;
+        double left = 0.0;
+        double right = 0.0;
+        for (int y = 0; y < 256; ++y) {
+            for (int x = 0; x < 96; ++x) {
+                left += static_cast<double>(baked.at(x, y, 2)) / (256.0 * 96.0);
+                right += static_cast<double>(baked.at(255 - x, y, 2)) / (256.0 * 96.0);
+            }
+        }
+        QVERIFY(right > left + 0.1);
+        // All textons, their description and the map.
+        QVERIFY(write(4, "all", "all/mixture.json"));
+        for (const char* file : {"textons.exr", "map.png", "texton_00.exr", "texton_02.exr.json"})
+            QVERIFY2(QFile::exists(m_folder.filePath("all/" + QString(file))), file);
+        QVERIFY(studio.find<QLabel>("exportFiles")->text().contains("more"));
+        // A tile of a map that does not repeat would have a seam.
+        studio.find<QListWidget>("exportKinds")->setCurrentRow(1);
+        studio.find<QCheckBox>("exportTileable")->click();
+        studio.find<QLineEdit>("exportName")->setText("tile");
+        studio.find<QPushButton>("exportStart")->click();
+        QVERIFY(waitFor(
+            [&] { return studio.find<QLabel>("exportResult")->text().contains("repeat"); }));
+        QVERIFY(!QFile::exists(m_folder.filePath("tile.png")));
+        studio.trigger("mix.repeat");
+        QVERIFY(settleMix(studio));
+        QVERIFY(write(1, "tile", "tile.png"));
     }
 
     void aStrokeEndsWithWhatItWasFor() {
