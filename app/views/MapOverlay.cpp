@@ -12,6 +12,7 @@ namespace {
 constexpr QRgb kFirst = 0xff2f7fd0U;
 constexpr QRgb kSecond = 0xffe8a020U;
 constexpr double kVeil = 0.45;
+constexpr double kSmallestCopy = 8.0; ///< of a repeating map, on the screen
 /// No finer than a screen shows it.
 constexpr int kMostTexels = 1024;
 
@@ -64,16 +65,22 @@ void MapOverlay::draw(QPainter& painter,
     painter.save();
     painter.setOpacity(kVeil);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (map->boundary == MapBoundary::Repeat) {
+    const bool distinct = std::min(place.width(), place.height()) >= kSmallestCopy;
+    if (map->boundary == MapBoundary::Repeat && distinct) {
         // Those copies that meet the screen.
         const auto first = [](double start, double length) {
-            return start - std::ceil(start / length) * length;
+            return -static_cast<int>(std::ceil(start / length));
         };
-        for (double y = first(place.top(), place.height()); y < screen.height();
-             y += place.height()) {
-            for (double x = first(place.left(), place.width()); x < screen.width();
-                 x += place.width())
-                painter.drawImage(QRectF(QPointF(x, y), place.size()), m_veil);
+        const auto last = [](double start, double length, int end) {
+            return static_cast<int>(std::floor((end - start) / length));
+        };
+        for (int j = first(place.top(), place.height());
+             j <= last(place.top(), place.height(), screen.height());
+             ++j) {
+            for (int i = first(place.left(), place.width());
+                 i <= last(place.left(), place.width(), screen.width());
+                 ++i)
+                painter.drawImage(place.translated(i * place.width(), j * place.height()), m_veil);
         }
     } else {
         painter.drawImage(place, m_veil);

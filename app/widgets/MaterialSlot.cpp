@@ -10,8 +10,8 @@
 
 namespace txn::app {
 
-MaterialSlot::MaterialSlot(const QString& letter, const QString& hint, QWidget* parent)
-    : QWidget(parent), m_letter(letter), m_hint(hint) {
+MaterialSlot::MaterialSlot(QString letter, QString hint, QWidget* parent)
+    : QWidget(parent), m_letter(std::move(letter)), m_hint(std::move(hint)) {
     setAcceptDrops(true);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);

@@ -15,7 +15,7 @@ class MaterialSlot : public QWidget {
 
   public:
     /// hint: what an empty one says.
-    MaterialSlot(const QString& letter, const QString& hint, QWidget* parent = nullptr);
+    MaterialSlot(QString letter, QString hint, QWidget* parent = nullptr);
 
     /// Null: empty.
     void setPicture(const QImage& picture, const QString& name);

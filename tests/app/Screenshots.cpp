@@ -63,8 +63,44 @@ class Photographer : public Studio {
     QDir m_folder;
 };
 
+/// Sand, and stone painted into it.
+bool takePainting(const QDir& folder) {
+    Photographer studio(folder, QStringLiteral("en"), ThemeChoice::Dark);
+    bool good = studio.openSample("sand");
+    studio.window().files().openSecondSample("stone");
+    const auto mixed = [&] {
+        const auto mix = studio->pipeline().mix();
+        return mix && mix->finished && !studio->pipeline().isMixStale();
+    };
+    good = waitFor(mixed) && good;
+    studio.raise("mixDock");
+    good = studio.settle() && good;
+    studio.take("mix");
+    studio.document().change(QStringLiteral("New map"),
+                             [](Project& project) { project.mix.map = PaintedMap(); });
+    studio.document().changeView([](ViewState& view) {
+        view.layout = ViewLayout::Single;
+        view.shown = {Picture::Noise, Picture::Exemplar, Picture::Gaussian, Picture::Texton};
+    });
+    studio.window().views().setZoom(1.0);
+    studio.trigger("mix.brush");
+    good = studio.settle() && good;
+    PictureView* view = studio.window().views().views().front();
+    const auto along = [&](int i) {
+        return view->rect().center() +
+               QPoint(-280 + 14 * i, static_cast<int>(100.0 * std::sin(0.24 * i)));
+    };
+    QTest::mousePress(view, Qt::LeftButton, {}, along(0));
+    for (int i = 1; i <= 40; ++i)
+        QTest::mouseMove(view, along(i));
+    QTest::mouseRelease(view, Qt::LeftButton, {}, along(40));
+    good = studio.settle() && good;
+    studio.take("painting");
+    return good;
+}
+
 bool takeAll(const QDir& folder) {
-    bool good = true;
+    bool good = takePainting(folder);
     {
         Photographer studio(folder, QStringLiteral("en"), ThemeChoice::Dark);
         good = studio.settle() && good;

@@ -166,6 +166,49 @@ class TestResponsiveness : public QObject {
         QVERIFY(slowest <= 1000.0);
     }
 
+    /// On a map of 1024 x 1024 texels, with the map shown and the noise following.
+    void paintingNeverStalls() {
+        Studio studio;
+        QVERIFY(studio.openSample("sand"));
+        studio.window().files().openSecondSample("stone");
+        QVERIFY(waitFor([&] {
+            const auto mix = studio->pipeline().mix();
+            return mix && mix->finished && !studio->pipeline().isMixStale();
+        }));
+        QVERIFY(studio.project().mix.map.size() == (Size{1024, 1024}));
+        studio.document().changeView([](ViewState& view) {
+            view.layout = ViewLayout::Single;
+            view.shown = {Picture::Noise, Picture::Exemplar, Picture::Gaussian, Picture::Texton};
+            view.mapShown = true;
+        });
+        studio.window().views().setZoom(1.0);
+        QVERIFY(studio.settle());
+        PictureView* view = studio.window().views().views().front();
+        int frames = 0;
+        connect(view, &PictureView::noiseFrameShown, this, [&frames] { ++frames; });
+        emit studio.find<ValueSlider>("mixRadius")->valueEdited(200.0, Gesture::next());
+        Watchdog watchdog;
+        QElapsedTimer clock;
+        clock.start();
+        for (const char* tool : {"mix.brush", "mix.smooth", "mix.erase", "mix.gradient"}) {
+            studio.trigger(tool);
+            const QPointF middle(view->rect().center());
+            QTest::mousePress(view, Qt::LeftButton, {}, middle.toPoint());
+            for (int i = 0; i < 150; ++i) {
+                moveTo(view, middle + 200.0 * QPointF(std::sin(0.11 * i), std::cos(0.07 * i)));
+                QTest::qWait(8);
+            }
+            QTest::mouseRelease(view, Qt::LeftButton);
+        }
+        qInfo("painting: stalls of %.1f ms at most, %.0f pictures a second",
+              watchdog.longest(),
+              1000.0 * frames / static_cast<double>(clock.elapsed()));
+        QVERIFY(frames > 20);
+        QVERIFY2(watchdog.longest() <= kAtMostMs, QByteArray::number(watchdog.longest()));
+        QVERIFY2(watchdog.percentile(0.99) <= kOftenMs,
+                 QByteArray::number(watchdog.percentile(0.99)));
+    }
+
     void theFirstResultComesWithinTwoSeconds() {
         Studio studio; // waits until the window is active, which is not the program's time
         QElapsedTimer clock;
