@@ -90,9 +90,14 @@ MainWindow::MainWindow(const Parts& parts)
     });
     connect(m_views, &ViewArea::problem, this, problem);
     connect(&m_pipeline, &Pipeline::failed, this, problem);
-    connect(&m_runner, &JobRunner::jobFailed, this, [problem](JobKind, const QString& reason) {
-        problem(tr("That did not work: %1").arg(reason));
-    });
+    connect(&m_runner,
+            &JobRunner::jobFailed,
+            this,
+            [this, problem](JobKind kind, const QString& reason) {
+                if (kind == JobKind::Mix)
+                    m_pipeline.cancelMix();
+                problem(tr("That did not work: %1").arg(reason));
+            });
     connect(&m_noise, &NoiseService::ready, this, [this] {
         // "llvmpipe (LLVM 15.0.6, 256 bits)": the name will do.
         m_renderer->setText(m_noise.renderer().section(QLatin1Char('('), 0, 0).trimmed());
@@ -182,6 +187,8 @@ void MainWindow::createDocks() {
     connect(jobs, &JobsPanel::cancelWanted, this, [this](JobKind kind) {
         if (kind == JobKind::Texton)
             m_pipeline.cancelTexton(); // what is shown of it goes, too
+        else if (kind == JobKind::Mix)
+            m_pipeline.cancelMix();
         else
             m_runner.cancel(kind);
     });

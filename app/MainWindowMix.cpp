@@ -123,6 +123,7 @@ void MainWindow::createMixActions() {
     connect(&m_document, &ProjectDocument::projectChanged, this, enable);
     enable();
 
+    m_mixPanel->setAccepts(&FileController::canOpen);
     connect(m_mixPanel, &MixPanel::firstWanted, m_files, &FileController::openDialog);
     connect(m_mixPanel, &MixPanel::secondWanted, m_files, &FileController::openSecondDialog);
     connect(m_mixPanel, &MixPanel::firstDropped, m_files, [this](const QMimeData& dragged) {

@@ -11,6 +11,7 @@
 #include "core/compute/MixSolver.h"
 #include "core/export/MixtureExport.h"
 #include "core/material/MapStack.h"
+#include "core/noise/MixedProcess.h"
 #include "core/sheet/ContactSheet.h"
 
 #include <algorithm>
@@ -248,6 +249,12 @@ Result<void> run(const Options& options, const CancelToken& cancel) {
     NoiseParams params = options.noise.params();
     if (options.tile)
         params.period = Period{map->placement.width, map->placement.height};
+    if (const auto ok = checkMixing(static_cast<std::size_t>(options.strips),
+                                    map->placement,
+                                    map->boundary,
+                                    params);
+        !ok)
+        return Error{ok.error().code, "--process: " + ok.error().message};
     times.load = watch.lap();
     const auto mixed = computeTextons(options, *a, *b, cancel);
     if (!mixed)

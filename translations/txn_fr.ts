@@ -711,6 +711,14 @@
         <source>There is no mixture yet. Open a second material first.</source>
         <translation>Il n&apos;y a pas encore de mélange. Ouvrez d&apos;abord une seconde matière.</translation>
     </message>
+    <message>
+        <source>The mixture is not ready. The Mix panel tells why.</source>
+        <translation>Le mélange n&apos;est pas prêt. Le panneau Mélange dit pourquoi.</translation>
+    </message>
+    <message>
+        <source>To tile, switch on Mix &gt; Repeat the map, and choose a multiple of %1 x %2 px.</source>
+        <translation>Pour le raccord, activez Mélange &gt; Répéter la carte et choisissez un multiple de %1 x %2 px.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::FileController</name>
@@ -789,6 +797,10 @@
     <message>
         <source>Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;All files (*)</source>
         <translation>Photos (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.tga *.bmp *.webp);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a photo first, then a second one to mix it with.</source>
+        <translation>Ouvrez d&apos;abord une photo, puis une seconde à lui mélanger.</translation>
     </message>
 </context>
 <context>
@@ -2119,6 +2131,10 @@
     <message>
         <source>Distance from A to B: %1</source>
         <translation>Distance de A à B : %1</translation>
+    </message>
+    <message>
+        <source>The textons from A to B are not up to date. Compute again with F5.</source>
+        <translation>Les textons de A à B ne sont pas à jour. Recalculez avec F5.</translation>
     </message>
 </context>
 <context>

@@ -140,7 +140,7 @@ struct ViewState {
     std::optional<int> channel;   ///< unset: all
     bool tiled = false;           ///< the exemplar is repeated
     bool keptBeside = false;      ///< the first view shows the kept texton and its noise
-    std::optional<int> mixTexton; ///< of a mixture: this one alone is shown; unset: all of it
+    std::optional<double> mixRho; ///< of a mixture: the texton there alone is shown; unset: all
     bool mapShown = false;        ///< the mixing map lies over the noise
 
     double yaw = 0.5; ///< of perspective and meshes; see OrbitCamera

@@ -64,6 +64,7 @@ void FileController::show(const Opened& opened, const QString& name) {
     m_document.change(tr("Open %1").arg(name), [&](Project& project) {
         // What was cut out of another picture means nothing in this one.
         project.edit = ExemplarEdit{};
+        project.mix.edit.linear = project.edit.linear;
         project.source.reset();
         project.importedTexton.reset();
         project.noise.map.clear();
@@ -81,6 +82,10 @@ void FileController::show(const Opened& opened, const QString& name) {
 }
 
 void FileController::showSecond(const std::shared_ptr<const Source>& source) {
+    if (!m_document.project().source) { // gone while this one was read
+        emit problem(tr("Open a photo first, then a second one to mix it with."));
+        return;
+    }
     m_document.change(tr("Open %1 as B").arg(source->name()), [&](Project& project) {
         // The first one shows at once what mixing is.
         if (!project.mix.source)

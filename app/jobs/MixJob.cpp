@@ -78,4 +78,18 @@ computeMix(const MixInput& input,
     return std::shared_ptr<const MixResult>(std::move(last));
 }
 
+std::shared_ptr<const MixResult> reversed(const MixResult& result) {
+    auto made = std::make_shared<MixResult>(result);
+    std::ranges::reverse(made->mixed.textons);
+    std::ranges::reverse(made->mixed.anchors);
+    std::ranges::reverse(made->frames);
+    for (MixedTexton& one : made->mixed.textons) {
+        one.rho = 1.0 - one.rho;
+        one.distance = result.distance - one.distance;
+    }
+    for (MixFrame& frame : made->frames)
+        frame.rho = 1.0 - frame.rho;
+    return made;
+}
+
 } // namespace txn::app

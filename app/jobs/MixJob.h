@@ -26,4 +26,7 @@ computeMix(const MixInput& input,
            JobContext& context,
            const std::function<void(std::shared_ptr<const MixResult>)>& publish);
 
+/// The same from B to A.
+[[nodiscard]] std::shared_ptr<const MixResult> reversed(const MixResult& result);
+
 } // namespace txn::app

@@ -62,8 +62,7 @@ void MapPainter::press(QPointF place, double pressure, bool straight) {
     m_painting = true;
     // The project's own: what the noise shows may be older by a moment.
     const MixSettings& mix = m_document.project().mix;
-    m_before = mix.map.image();
-    m_map.rho = m_before;
+    m_map.rho = mix.map.image();
     m_map.placement = mapPlacement(mix);
     m_map.boundary = mix.repeats ? MapBoundary::Repeat : MapBoundary::Clamp;
     m_pressed = texelAt(place);
@@ -71,7 +70,7 @@ void MapPainter::press(QPointF place, double pressure, bool straight) {
     const PaintTools::State& state = m_tools.state();
     if (isGradient(state.tool))
         return;
-    m_stroke.emplace(m_before,
+    m_stroke.emplace(m_map.rho,
                      brushOf(state, mix.mapScale),
                      state.symmetry,
                      m_map.boundary == MapBoundary::Repeat);
@@ -153,6 +152,7 @@ void MapPainter::cancel() {
 void MapPainter::end() {
     m_painting = false;
     m_stroke.reset();
+    m_map = {};
     m_publishSoon.stop();
     // The project's own takes its place as soon as it is there.
     m_pipeline.previewMap(nullptr);

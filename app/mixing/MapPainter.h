@@ -55,8 +55,7 @@ class MapPainter : public QObject {
     QTimer m_publishSoon;
 
     bool m_painting = false;
-    MixingMap m_map;   ///< as it will be
-    Image m_before;    ///< rho before the stroke
+    MixingMap m_map;   ///< as it will be; of a stroke only
     QPointF m_pressed; ///< texel
     std::optional<BrushStroke> m_stroke;
     std::optional<QPointF> m_lastEnd; ///< texel

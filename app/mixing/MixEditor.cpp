@@ -101,8 +101,12 @@ void MixEditor::importMap(const QString& path) {
                                 emit problem(inWords(map.error()));
                                 return;
                             }
-                            m_document.change(tr("Import the map"),
-                                              [&](Project& project) { project.mix.map = *map; });
+                            if (!m_document.project().mix.source)
+                                return; // gone while the map was read
+                            m_document.change(tr("Import the map"), [&](Project& project) {
+                                project.mix.map = *map;
+                                project.mix.mapScale = 1.0;
+                            });
                         };
                     });
 }

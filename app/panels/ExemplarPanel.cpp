@@ -269,7 +269,11 @@ void ExemplarPanel::build() {
     m_space->setToolTip(
         tr("sRGB values keep dark grain; linear light suits renderers. Try sRGB first."));
     connect(m_space, &ChoiceRow::chosen, this, [this](int index) {
-        change(tr("Work in"), [&](ExemplarEdit& edit) { edit.linear = index == 1; });
+        m_document.change(tr("Work in"), [index](Project& project) {
+            // A second exemplar can be mixed with the first one in one kind of light only.
+            project.edit.linear = index == 1;
+            project.mix.edit.linear = project.edit.linear;
+        });
     });
 
     m_even = new QCheckBox(tr("Even out the lighting"));

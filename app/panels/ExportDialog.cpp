@@ -6,6 +6,7 @@
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
 #include "app/widgets/WhatsThis.h"
+#include "core/noise/MixedProcess.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,6 +29,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <array>
+#include <cmath>
 
 namespace txn::app {
 namespace {
@@ -62,6 +64,7 @@ ExportDialog::ExportDialog(ProjectDocument& document,
     connect(&m_runner, &JobRunner::jobsChanged, this, &ExportDialog::showProgress);
     connect(&m_pipeline, &Pipeline::noiseTextonChanged, this, &ExportDialog::showFiles);
     connect(&m_pipeline, &Pipeline::mixtureChanged, this, &ExportDialog::showFiles);
+    connect(&m_pipeline, &Pipeline::mixChanged, this, &ExportDialog::showFiles);
     connect(&m_document, &ProjectDocument::projectChanged, this, &ExportDialog::showFiles);
     showProgress();
 }
@@ -370,7 +373,7 @@ std::shared_ptr<const MixtureAsset> ExportDialog::mixture(Seed seed) const {
     const auto textons = m_pipeline.mixTextons();
     const auto mix = m_pipeline.mix();
     const auto map = m_pipeline.mixingMap();
-    if (!project.mix.source || !textons || !map || !mix || !mix->finished)
+    if (!project.mix.source || !textons || !map || !mix || m_pipeline.isMixStale())
         return nullptr;
     auto asset = std::make_shared<MixtureAsset>();
     asset->mixture = {*textons, *map};
@@ -387,8 +390,30 @@ std::shared_ptr<const MixtureAsset> ExportDialog::mixture(Seed seed) const {
     return asset;
 }
 
-bool ExportDialog::isReady() const {
-    return m_pipeline.noiseTexton() && m_pipeline.texton() && m_pipeline.texton()->finished;
+/// Why what is planned cannot be written (yet); empty where it can.
+QString ExportDialog::obstacle(const ExportSnapshot& shot) const {
+    if (!m_pipeline.noiseTexton() || !m_pipeline.texton() || !m_pipeline.texton()->finished)
+        return tr("There is no texton yet.");
+    const bool ofMixture = m_document.project().mix.source != nullptr;
+    if (m_plan.kind == ExportKind::Mixture && !ofMixture)
+        return tr("There is no mixture yet. Open a second material first.");
+    const bool needsMixture =
+        m_plan.kind == ExportKind::Mixture || (m_plan.kind == ExportKind::Noise && ofMixture);
+    if (!needsMixture)
+        return {};
+    if (!shot.mixture)
+        return tr("The mixture is not ready. The Mix panel tells why.");
+    const MixingMap& map = shot.mixture->mixture.map;
+    if (m_plan.kind != ExportKind::Noise || !m_plan.tileable)
+        return {};
+    const double scale = shot.noise.scale;
+    NoiseParams params;
+    params.period = Period{m_plan.size.width / scale, m_plan.size.height / scale};
+    if (checkMixing(shot.mixture->mixture.textons.size(), map.placement, map.boundary, params))
+        return {};
+    return tr("To tile, switch on Mix > Repeat the map, and choose a multiple of %1 x %2 px.")
+        .arg(std::llround(map.placement.width * scale))
+        .arg(std::llround(map.placement.height * scale));
 }
 
 void ExportDialog::showEvent(QShowEvent* event) {
@@ -400,10 +425,11 @@ void ExportDialog::showEvent(QShowEvent* event) {
 void ExportDialog::showFiles() {
     if (!isVisible())
         return; // showEvent() asks again
-    const bool ready = isReady();
+    const ExportSnapshot shot = snapshot();
+    const QString problem = obstacle(shot);
     QStringList lines;
-    if (ready) {
-        for (const QString& file : exportFiles(m_plan, snapshot()))
+    if (problem.isEmpty()) {
+        for (const QString& file : exportFiles(m_plan, shot))
             lines << (QFileInfo::exists(file)
                           ? tr("%1  (replaces a file)").arg(QFileInfo(file).fileName())
                           : QFileInfo(file).fileName());
@@ -413,11 +439,8 @@ void ExportDialog::showFiles() {
             lines << tr("and %1 more").arg(more);
         }
     }
-    const QString nothing = m_plan.kind == ExportKind::Mixture
-                                ? tr("There is no mixture yet. Open a second material first.")
-                                : tr("There is no texton yet.");
-    m_files->setText(lines.isEmpty() ? nothing : lines.join(QLatin1Char('\n')));
-    m_hasFiles = ready && !lines.isEmpty();
+    m_files->setText(problem.isEmpty() ? lines.join(QLatin1Char('\n')) : problem);
+    m_hasFiles = !lines.isEmpty();
     m_export->setEnabled(m_hasFiles && !m_runner.isBusy(JobKind::Export));
 }
 
@@ -505,6 +528,8 @@ void ExportDialog::start() {
     readPlan();
     m_openFolder->hide();
     ExportSnapshot shot = snapshot();
+    if (!obstacle(shot).isEmpty())
+        return; // it has come meanwhile, and is told
     if (m_plan.kind == ExportKind::View && m_currentView)
         shot.view = m_currentView();
     QStringList present;

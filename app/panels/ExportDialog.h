@@ -59,7 +59,7 @@ class ExportDialog : public QDialog {
     void savePreset();
     void choosePreset(int index);
     void deletePreset();
-    bool isReady() const;
+    QString obstacle(const ExportSnapshot& shot) const;
     void chooseFolder();
     void start();
     void run(const ExportPlan& plan, const ExportSnapshot& snapshot);

@@ -17,6 +17,8 @@
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 namespace txn::app {
 namespace {
@@ -52,6 +54,11 @@ MixPanel::MixPanel(ProjectDocument& document,
     showMaterials();
     showFrames();
     showTools();
+}
+
+void MixPanel::setAccepts(const std::function<bool(const QMimeData&)>& accepts) {
+    m_first->setAccepts(accepts);
+    m_second->setAccepts(accepts);
 }
 
 QWidget* MixPanel::buildMaterials() {
@@ -128,12 +135,15 @@ QWidget* MixPanel::buildStrip() {
         tr("The textons from A to B, each with a piece of its noise. Click one to see it alone "
            "and to paint with it; click it again to see the mixture."));
     connect(m_strip, &FilmStrip::chosen, this, [this](std::optional<int> frame) {
-        m_document.changeView([frame](ViewState& view) { view.mixTexton = frame; });
         const auto mix = m_pipeline.mix();
-        if (!frame || !mix || *frame >= static_cast<int>(mix->frames.size()))
+        std::optional<double> rho;
+        if (frame && mix && *frame < static_cast<int>(mix->frames.size()))
+            rho = mix->frames[static_cast<std::size_t>(*frame)].rho;
+        m_document.changeView([rho](ViewState& view) { view.mixRho = rho; });
+        if (!rho)
             return;
         auto state = m_tools.state();
-        state.target = mix->frames[static_cast<std::size_t>(*frame)].rho;
+        state.target = *rho;
         m_tools.set(state);
     });
     m_scroll = new QScrollArea;
@@ -249,6 +259,8 @@ void MixPanel::showMaterials() {
     m_second->setPicture(project.mix.source ? thumbnail(second) : QImage(),
                          project.mix.source ? project.mix.source->name() : QString());
     const bool mixes = project.mix.source != nullptr;
+    if (!mixes && m_document.view().mixRho) // of a mixture that is no more
+        m_document.changeView([](ViewState& view) { view.mixRho.reset(); });
     m_second->setEnabled(project.source != nullptr);
     m_swap->setEnabled(mixes);
     m_remove->setEnabled(mixes);
@@ -267,6 +279,8 @@ void MixPanel::showFrames() {
                              : tr("Open a photo, then a second one to mix it with."));
     else if (!project.mix.source)
         m_words->setText(tr("Drop a second material onto B, then paint where it is."));
+    else if (m_pipeline.isMixStale() && !m_pipeline.isComputingMix())
+        m_words->setText(tr("The textons from A to B are not up to date. Compute again with F5."));
     else if (!mix)
         m_words->setText(tr("Computing the textons from A to B..."));
     else if (!mix->finished)
@@ -279,7 +293,21 @@ void MixPanel::showFrames() {
         frames.push_back({frame.texton, frame.noise, QLocale().toString(frame.rho, 'f', 2)});
     m_strip->setFrames(std::move(frames));
     m_strip->adjustSize();
-    m_strip->setChosen(m_document.view().mixTexton);
+    m_strip->setChosen(chosenFrame());
+}
+
+/// The frame of the texton that is shown alone, as soon as it is there.
+std::optional<int> MixPanel::chosenFrame() const {
+    const auto rho = m_document.view().mixRho;
+    const auto mix = m_pipeline.mix();
+    if (!rho || !mix || mix->frames.empty())
+        return std::nullopt;
+    const auto nearest = std::ranges::min_element(mix->frames, {}, [&](const MixFrame& frame) {
+        return std::abs(frame.rho - *rho);
+    });
+    if (!mix->finished && std::abs(nearest->rho - *rho) > 1e-9)
+        return std::nullopt;
+    return static_cast<int>(nearest - mix->frames.begin());
 }
 
 void MixPanel::showTools() {

@@ -5,6 +5,8 @@
 
 #include <QImage>
 #include <QWidget>
+#include <functional>
+#include <optional>
 
 class QCheckBox;
 class QLabel;
@@ -31,6 +33,8 @@ class MixPanel : public QWidget {
              Pipeline& pipeline,
              PaintTools& tools,
              QWidget* parent = nullptr);
+    /// What may be dropped onto A and B.
+    void setAccepts(const std::function<bool(const QMimeData&)>& accepts);
 
   signals:
     void firstWanted();
@@ -46,6 +50,7 @@ class MixPanel : public QWidget {
     QWidget* buildTools();
     void showMaterials();
     void showFrames();
+    std::optional<int> chosenFrame() const;
     void showTools();
 
     ProjectDocument& m_document;

@@ -36,6 +36,15 @@ void Pipeline::swapExemplars() {
         m_exemplar.made == m_second.made)
         return;
     std::swap(m_exemplar, m_second);
+    // So has their mixture: nothing is computed, and the noise stays as it is.
+    if (m_mix.value && m_mix.value == m_finishedMix && !m_mix.isStale()) {
+        m_finishedMix = reversed(*m_finishedMix);
+        m_mix.value = m_finishedMix;
+        std::swap(m_finishedMixOf.a, m_finishedMixOf.b);
+        std::swap(m_mix.made->input.a, m_mix.made->input.b);
+        m_mix.wanted = m_mix.made;
+        emit mixChanged();
+    }
     emit exemplarChanged();
     emit secondExemplarChanged();
 }
@@ -252,10 +261,8 @@ void Pipeline::updateMix() {
     const MixKey key{{m_exemplar.value, m_second.value, project.texton}, project.mix.textons};
     if (!m_mix.want(key))
         return;
-    if (m_mix.made == key) {
-        m_runner.cancel(JobKind::Mix);
-        m_mix.value = m_finishedMix;
-        emit mixChanged();
+    if (m_mix.made == key) { // undone before the new one was there
+        cancelMix();
         return;
     }
     const auto known = m_finishedMixOf == key.input ? m_finishedMix : nullptr;
@@ -276,8 +283,7 @@ void Pipeline::updateMix() {
                         return [this, key, result = std::move(result)] {
                             if (!result) {
                                 fail(result.error());
-                                m_mix.value = m_finishedMix;
-                                emit mixChanged();
+                                cancelMix();
                                 return;
                             }
                             m_mix.set(key, *result);
@@ -290,11 +296,22 @@ void Pipeline::updateMix() {
 }
 
 void Pipeline::previewMap(std::shared_ptr<const MixingMap> map) {
-    m_previewMap = std::move(map);
-    if (m_previewMap)
-        emit mixtureChanged();
-    else
+    m_previewEnds = map == nullptr;
+    if (m_previewEnds) {
         m_updateSoon.start(); // not the map before the stroke for an instant
+        return;
+    }
+    m_previewMap = std::move(map);
+    emit mixtureChanged();
+}
+
+void Pipeline::cancelMix() {
+    m_runner.cancel(JobKind::Mix);
+    if (m_mix.value != m_finishedMix) {
+        m_mix.value = m_finishedMix;
+        emit mixChanged();
+    }
+    emit stateChanged();
 }
 
 void Pipeline::updateMixture() {
@@ -311,6 +328,10 @@ void Pipeline::updateMixture() {
                     adjusted(one.texton, look.mix->maps, look.contrast, look.brightness));
             m_mixTextons = std::move(textons);
         }
+    }
+    if (m_previewEnds) {
+        m_previewMap.reset();
+        m_previewEnds = false;
     }
     const MapLook map{project.mix.map, mapPlacement(project.mix), project.mix.repeats};
     if (m_mapLook != map) {
@@ -499,8 +520,11 @@ bool Pipeline::isStale(Picture picture) const {
         return exemplar;
     case Picture::Gaussian:
         return exemplar || m_gaussian.isStale();
-    case Picture::Texton:
     case Picture::Noise:
+        if (m_document.project().mix.source && isMixStale())
+            return true;
+        break;
+    case Picture::Texton:
         break;
     }
     return exemplar || m_texton.isStale();

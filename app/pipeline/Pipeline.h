@@ -48,7 +48,16 @@ class Pipeline : public QObject {
     }
     /// Another one takes its place while a stroke is drawn; null: no longer.
     void previewMap(std::shared_ptr<const MixingMap> map);
-    bool isMixStale() const { return m_second.isStale() || m_mix.isStale(); }
+    /// Whether mixTextons() are not (yet) what the project asks for.
+    bool isMixStale() const {
+        return m_exemplar.isStale() || m_second.isStale() || m_mix.isStale();
+    }
+    bool isComputingMix() const {
+        return m_runner.isBusy(JobKind::Mix) || m_runner.isBusy(JobKind::SecondExemplar) ||
+               m_runner.isBusy(JobKind::Exemplar);
+    }
+    /// Drops the textons on their way and goes back to the last whole mixture.
+    void cancelMix();
 
     std::shared_ptr<const Suitability> verdict() const;
     std::optional<SupportSuggestion> suggestedSupport() const;
@@ -182,6 +191,7 @@ class Pipeline : public QObject {
     MixLook m_mixLook;
     std::shared_ptr<const MixingMap> m_mixingMap;
     std::shared_ptr<const MixingMap> m_previewMap;
+    bool m_previewEnds = false;                  ///< as soon as the project's map is ready
     std::shared_ptr<const MixingMap> m_shownMap; ///< that mixtureChanged() last told of
     std::optional<MapLook> m_mapLook;
     Stage<std::shared_ptr<const ExemplarResult>, Judgement> m_verdict;

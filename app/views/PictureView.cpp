@@ -132,9 +132,19 @@ bool PictureView::showsMixture() const {
            m_pipeline.mix() && !showsKept() && !m_pipeline.isShowingKept();
 }
 
-bool PictureView::canPaint() const {
-    return picture() == Picture::Noise && !orbits() && !m_panning && !m_document.view().mixTexton &&
-           showsMixture() && m_painter.isReady();
+/// The place in mixTextons() of the one that is shown alone.
+std::optional<std::size_t> PictureView::shownMixTexton() const {
+    const auto rho = m_document.view().mixRho;
+    if (!rho || !showsMixture())
+        return std::nullopt;
+    const auto last = static_cast<double>(m_pipeline.mixTextons()->size() - 1);
+    return static_cast<std::size_t>(std::lround(std::clamp(*rho, 0.0, 1.0) * last));
+}
+
+bool PictureView::canPaint(QPointF position) const {
+    return picture() == Picture::Noise && !orbits() && !m_panning && !m_flipped &&
+           (!m_second || position.x() < wipeX()) && showsMixture() && !shownMixTexton() &&
+           m_painter.isReady();
 }
 
 PlaneView PictureView::planeView() const {
@@ -149,8 +159,7 @@ QPointF PictureView::planeAt(QPointF position) const {
 }
 
 void PictureView::paintMap(QPainter& painter) {
-    if (picture() != Picture::Noise || orbits() || m_flipped || !showsMixture() ||
-        m_document.view().mixTexton)
+    if (picture() != Picture::Noise || orbits() || m_flipped || !showsMixture() || shownMixTexton())
         return;
     painter.save();
     painter.setClipRect(m_second ? QRectF(area().left(), area().top(), wipeX(), area().height())
@@ -160,7 +169,8 @@ void PictureView::paintMap(QPainter& painter) {
     if (m_document.view().mapShown)
         m_overlay.draw(painter, m_pipeline.mixingMap(), planeView(), screen());
     const PaintTools::State& tools = m_painter.tools().state();
-    if (m_brushAt && canPaint() && tools.tool != PaintTool::Line && tools.tool != PaintTool::Circle)
+    if (m_brushAt && m_painter.isReady() && tools.tool != PaintTool::Line &&
+        tools.tool != PaintTool::Circle)
         MapOverlay::drawBrush(painter,
                               *m_brushAt,
                               tools.radiusPx,
@@ -286,9 +296,8 @@ void PictureView::requestNoise() {
             request.maps = m_pipeline.mix()->maps;
             request.map = findMap(request.maps, project.noise.map.toStdString());
             const auto textons = m_pipeline.mixTextons();
-            if (const auto one = view.mixTexton;
-                one && *one >= 0 && *one < static_cast<int>(textons->size())) {
-                request.texton = {textons, &(*textons)[static_cast<std::size_t>(*one)]};
+            if (const auto one = shownMixTexton()) {
+                request.texton = {textons, &(*textons)[*one]};
             } else {
                 request.texton = {textons, &textons->front()};
                 request.mixture = textons;
@@ -440,7 +449,10 @@ void PictureView::resizeEvent(QResizeEvent*) {
 }
 
 void PictureView::mousePressEvent(QMouseEvent* event) {
+    if (m_drag != Drag::None)
+        return; // another button, in the middle of a drag
     m_last = event->position();
+    m_dragButton = event->button();
     const bool left = event->button() == Qt::LeftButton;
     if (m_second && left && std::abs(event->position().x() - wipeX()) <= kWipeGrab)
         m_drag = Drag::Wipe;
@@ -448,7 +460,7 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
         m_drag = Drag::Pan;
     else if (left && orbits())
         m_drag = Drag::Orbit;
-    else if (left && canPaint())
+    else if (left && canPaint(event->position()))
         m_drag = Drag::Paint;
     else if (event->button() == Qt::RightButton && showsMaterial())
         m_drag = Drag::Light;
@@ -483,13 +495,14 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
     case Drag::None:
         setCursor(m_second && std::abs(event->position().x() - wipeX()) <= kWipeGrab
                       ? Qt::SplitHCursor
-                  : m_panning  ? Qt::OpenHandCursor
-                  : canPaint() ? Qt::CrossCursor
-                               : Qt::ArrowCursor);
+                  : m_panning                   ? Qt::OpenHandCursor
+                  : canPaint(event->position()) ? Qt::CrossCursor
+                                                : Qt::ArrowCursor);
         break;
     }
-    if (canPaint()) {
-        m_brushAt = planeAt(event->position());
+    if (m_brushAt || canPaint(event->position())) {
+        m_brushAt =
+            canPaint(event->position()) ? std::optional(planeAt(event->position())) : std::nullopt;
         update();
     }
     probe(event->position());
@@ -533,7 +546,9 @@ void PictureView::tabletEvent(QTabletEvent* event) {
     event->ignore(); // comes again as a mouse
 }
 
-void PictureView::mouseReleaseEvent(QMouseEvent*) {
+void PictureView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != m_dragButton)
+        return;
     if (m_drag == Drag::Paint)
         m_painter.release();
     m_drag = Drag::None;

@@ -91,7 +91,8 @@ class PictureView : public QWidget {
     QImage composed();
     /// Whether the noise shown here, seen from above, is a mixture.
     bool showsMixture() const;
-    bool canPaint() const;
+    bool canPaint(QPointF position) const;
+    std::optional<std::size_t> shownMixTexton() const;
     QPointF planeAt(QPointF position) const;
     PlaneView planeView() const;
     void paintMap(QPainter& painter);
@@ -126,6 +127,7 @@ class PictureView : public QWidget {
     bool m_difference = false;
     bool m_panning = false;
     Drag m_drag = Drag::None;
+    Qt::MouseButton m_dragButton = Qt::NoButton;
     QPointF m_last;
     Gesture m_gesture; ///< of the drag
     MapPainter& m_painter;

@@ -77,7 +77,7 @@ void MaterialSlot::keyPressEvent(QKeyEvent* event) {
 }
 
 void MaterialSlot::dragEnterEvent(QDragEnterEvent* event) {
-    if (!event->mimeData()->hasUrls() && !event->mimeData()->hasImage())
+    if (!m_accepts(*event->mimeData()))
         return;
     event->acceptProposedAction();
     m_draggedOver = true;

@@ -3,6 +3,8 @@
 
 #include <QImage>
 #include <QWidget>
+#include <functional>
+#include <utility>
 
 class QMimeData;
 
@@ -17,6 +19,10 @@ class MaterialSlot : public QWidget {
     /// hint: what an empty one says.
     MaterialSlot(QString letter, QString hint, QWidget* parent = nullptr);
 
+    /// What may be dropped. Nothing, unless told.
+    void setAccepts(std::function<bool(const QMimeData&)> accepts) {
+        m_accepts = std::move(accepts);
+    }
     /// Null: empty.
     void setPicture(const QImage& picture, const QString& name);
 
@@ -42,6 +48,7 @@ class MaterialSlot : public QWidget {
     QString m_hint;
     QImage m_picture;
     bool m_draggedOver = false;
+    std::function<bool(const QMimeData&)> m_accepts = [](const QMimeData&) { return false; };
 };
 
 } // namespace txn::app

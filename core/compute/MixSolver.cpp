@@ -29,6 +29,14 @@ std::optional<int> anchorBefore(int anchor) {
     return anchor < kMiddle ? anchor + 1 : anchor - 1;
 }
 
+/// Each holds a model of the whole domain: not more than fit into a gigabyte.
+std::size_t mostAtOnce(const BarycentrePath& path) {
+    constexpr std::size_t kBytes = std::size_t{1} << 30U;
+    const std::size_t model =
+        path.domain().area() * static_cast<std::size_t>(path.channels()) * sizeof(float);
+    return std::max<std::size_t>(1, kBytes / model);
+}
+
 /// (1 - share) a + share b, coefficient by coefficient.
 Texton between(const Texton& a, const Texton& b, double share) {
     Texton result = a;
@@ -111,7 +119,8 @@ Result<void> MixSolver::step(const CancelToken& cancel) {
     if (done())
         return {};
     // Those of one wave do not wait for each other.
-    const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const auto cores = std::min(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+                                mostAtOnce(m_path));
     std::size_t end = m_next;
     while (end < m_tasks.size() && end < m_next + cores &&
            m_tasks[end].wave == m_tasks[m_next].wave)
@@ -212,6 +221,8 @@ makeMixSolver(const MixRequest& request, MixedTextons known, const CancelToken& 
     for (std::size_t c = 0; c < weightsA.size(); ++c)
         weights.push_back(2.0 / (1.0 / weightsA[c] + 1.0 / weightsB[c]));
     ComputeParams params = request.params;
+    if (params.method == TextonMethod::Fit && !params.kernels && !known.textons.empty())
+        params.kernels = known.textons.front().texton.kernelCount(); // chosen already
     if (params.method == TextonMethod::Fit && !params.kernels) {
         for (const Exemplar* exemplar : {&request.a, &request.b}) {
             LeastSquaresParams trial = leastSquares(params, channelWeights(*exemplar));

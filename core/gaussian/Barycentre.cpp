@@ -70,9 +70,10 @@ Result<void> checkAlike(int channelsA, int channelsB, Transfer a, Transfer b) {
                      "exemplar A has " + channelsText(channelsA) + " and exemplar B " +
                          channelsText(channelsB) + "; choose pictures of one kind"};
     if (a != b)
-        return Error{ErrorCode::SizeMismatch,
-                     "one exemplar is linear light and the other is not; use --linear for both, or "
-                     "pictures of one kind"};
+        return Error{
+            ErrorCode::SizeMismatch,
+            "one exemplar is linear light and the other is not; use linear light for both, "
+            "or pictures of one kind"};
     return {};
 }
 

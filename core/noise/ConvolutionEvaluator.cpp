@@ -247,6 +247,14 @@ class ConvolutionEvaluator final : public TileEvaluator {
 
 } // namespace
 
+std::size_t convolutionBytes(const Mixture& mixture) {
+    const Texton& first = mixture.textons.front();
+    const Size support = first.support.size();
+    const Size size{transformLength(support.width), transformLength(support.height)};
+    return mixture.textons.size() * static_cast<std::size_t>(first.kernelCount()) *
+           static_cast<std::size_t>(first.channels()) * (size.area() / 2) * sizeof(Complex);
+}
+
 std::unique_ptr<TileEvaluator> makeConvolutionEvaluator(Mixture mixture,
                                                         const NoiseParams& params) {
     return std::make_unique<ConvolutionEvaluator>(std::move(mixture), params);

@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace txn {
 namespace {
+
+std::string shortLength(double length) {
+    return std::to_string(std::llround(length));
+}
 
 bool isMultiple(double length, double part) {
     const double times = length / part;
@@ -30,7 +35,10 @@ Result<void> checkMixing(std::size_t textons,
         (boundary != MapBoundary::Repeat || !isMultiple(params.period->width, placement.width) ||
          !isMultiple(params.period->height, placement.height)))
         return Error{ErrorCode::InvalidArgument,
-                     "a mixture repeats only with its map; let the map repeat and fit the tile"};
+                     "a mixture repeats only with its map; let the map repeat, and the tile be a "
+                     "multiple of its " +
+                         shortLength(placement.width) + " x " + shortLength(placement.height) +
+                         " pixels"};
     return {};
 }
 

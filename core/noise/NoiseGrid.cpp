@@ -12,6 +12,9 @@
 namespace txn {
 namespace {
 
+/// Of the kernels' spectra; with more, kernels are added up one by one.
+constexpr std::size_t kMostConvolutionBytes = std::size_t{3} << 30U;
+
 std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
@@ -44,7 +47,8 @@ Result<NoiseGrid> NoiseGrid::create(Mixture mixture, const NoiseParams& params, 
     const int channels = mixture.textons.front().channels();
     const Transfer transfer = mixture.textons.front().transfer;
     // At exactly one output pixel per exemplar pixel the cheap convolution applies.
-    const bool unit = std::abs(scale - 1.0) < 1e-12;
+    const bool unit =
+        std::abs(scale - 1.0) < 1e-12 && convolutionBytes(mixture) <= kMostConvolutionBytes;
     return NoiseGrid(unit ? makeConvolutionEvaluator(std::move(mixture), params)
                           : makeScaledEvaluator(std::move(mixture), params, scale),
                      channels,

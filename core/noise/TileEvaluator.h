@@ -34,6 +34,9 @@ class TileEvaluator {
 [[nodiscard]] std::unique_ptr<TileEvaluator> makeConvolutionEvaluator(Mixture mixture,
                                                                       const NoiseParams& params);
 
+/// What that takes in memory, nearly.
+[[nodiscard]] std::size_t convolutionBytes(const Mixture& mixture);
+
 /// For any scale (output pixels per exemplar pixel): every impulse adds its interpolated kernel.
 /// Above 1 the noise is sampled at the pixel centres; below 1 each pixel is the exact mean of the
 /// noise over its area, by integrated B-splines. The cost is proportional to the MNI.

@@ -258,13 +258,13 @@ class TestMix : public QObject {
         QTest::keyClick(strip, Qt::Key_Right);
         QTest::keyClick(strip, Qt::Key_Right);
         QTest::keyClick(strip, Qt::Key_Right);
-        QVERIFY(studio.document().view().mixTexton == 2);
+        QVERIFY(studio.document().view().mixRho == 1.0);
         QCOMPARE(studio.find<ValueSlider>("mixTarget")->value(), 1.0);
         QVERIFY(settleMix(studio));
         QVERIFY(noiseOf(studio) != mixture);
         QVERIFY(blueAt(studio, 0, 0) > 0.2);
         QTest::keyClick(strip, Qt::Key_Escape);
-        QVERIFY(!studio.document().view().mixTexton);
+        QVERIFY(!studio.document().view().mixRho);
         QVERIFY(settleMix(studio));
         QVERIFY(noiseOf(studio) == mixture);
     }
@@ -279,7 +279,9 @@ class TestMix : public QObject {
         QVERIFY(studio.project().source == b && studio.project().mix.source == a);
         QVERIFY(rhoAt(studio, 0, 0) > 0.99);
         QVERIFY(settleMix(studio));
-        TXN_AT_MOST(std::abs(blueAt(studio, 0, 0) - left), 0.1); // other noise of the same kind
+        TXN_AT_MOST(std::abs(blueAt(studio, 0, 0) - left), 1e-4); // nothing was computed anew
+        TXN_AT_MOST(std::abs(studio->pipeline().mix()->frames.front().rho), 0.0);
+        TXN_AT_MOST(std::abs(studio->pipeline().mix()->mixed.textons.back().rho - 1.0), 0.0);
         studio.trigger("edit.undo");
         QVERIFY(studio.project().source == a && studio.project().mix.source == b);
         QVERIFY(settleMix(studio));
@@ -351,6 +353,78 @@ class TestMix : public QObject {
         QVERIFY(studio.project().mix.map.size() == (Size{64, 32}));
     }
 
+    void anotherButtonDoesNotLoseTheStroke() {
+        Studio studio;
+        QVERIFY(openSmallMix(studio));
+        studio.trigger("mix.brush");
+        PictureView& view = noiseView(studio);
+        const int steps = studio.document().undoStack().index();
+        QTest::mousePress(&view, Qt::LeftButton, {}, inView(studio, 0, 0));
+        QTest::mousePress(&view, Qt::MiddleButton, {}, inView(studio, 0, 0));
+        QTest::mouseRelease(&view, Qt::MiddleButton, {}, inView(studio, 0, 0));
+        QCOMPARE(studio.document().undoStack().index(), steps);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, inView(studio, 0, 0));
+        QCOMPARE(studio.document().undoStack().index(), steps + 1);
+        QVERIFY(rhoAt(studio, 0, 0) > 0.99);
+        // Under the exemplar that is held up, nothing is painted.
+        view.setFlipped(true);
+        drag(studio, inView(studio, 60, 60), inView(studio, 60, 60));
+        QCOMPARE(studio.document().undoStack().index(), steps + 1);
+    }
+
+    void theChosenTextonSurvivesAnotherNumber() {
+        Studio studio;
+        QVERIFY(openSmallMix(studio));
+        auto* strip = studio.find<FilmStrip>("mixStrip");
+        strip->setFocus();
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(strip, Qt::Key_Right); // the last one: B
+        QVERIFY(settleMix(studio));
+        const QImage b = noiseOf(studio);
+        for (const int count : {2, 5}) {
+            studio.document().change("Count", [count](Project& p) { p.mix.textons = count; });
+            QVERIFY(settleMix(studio));
+            QVERIFY(studio.document().view().mixRho == 1.0);
+            QVERIFY(noiseOf(studio) == b);
+        }
+        studio.trigger("mix.remove");
+        QVERIFY(!studio.document().view().mixRho);
+    }
+
+    void whatIsStoppedSaysSo() {
+        Studio studio;
+        QVERIFY(openSmallMix(studio));
+        const auto before = studio->pipeline().mix();
+        studio.document().change("Long", [](Project& p) {
+            p.mix.textons = 64;
+            p.texton.method = TextonMethod::Projections;
+            p.texton.iterations = 50000;
+        });
+        QVERIFY(waitFor([&] { return studio->runner().isBusy(JobKind::Mix); }));
+        studio->pipeline().cancelMix();
+        studio->pipeline().cancelTexton();
+        QVERIFY(studio->pipeline().mix() == before);
+        QTRY_VERIFY(studio.find<QLabel>("mixWords")->text().contains("not up to date"));
+        // The old mixture is seen, and not exported as if it were the new one.
+        studio.trigger("file.export");
+        QVERIFY(QTest::qWaitForWindowExposed(studio.find<QDialog>("exportDialog")));
+        studio.find<QListWidget>("exportKinds")->setCurrentRow(4);
+        QVERIFY(!studio.find<QPushButton>("exportStart")->isEnabled());
+        studio.find<QDialog>("exportDialog")->close();
+        studio.document().undoStack().undo();
+        QVERIFY(settleMix(studio));
+        QVERIFY(studio.find<QLabel>("mixWords")->text().contains("Distance"));
+    }
+
+    void lightIsOfOneKind() {
+        Studio studio;
+        QVERIFY(openSmallMix(studio));
+        emit studio.find("exemplarSpace")->findChild<QComboBox*>()->activated(1);
+        QVERIFY(studio.project().edit.linear && studio.project().mix.edit.linear);
+        QVERIFY(settleMix(studio));
+        QVERIFY(studio->pipeline().mixTextons()->front().transfer == Transfer::Linear);
+    }
+
     void exportsAreOfTheMixture() {
         Studio studio;
         QVERIFY(openSmallMix(studio));
@@ -402,13 +476,11 @@ class TestMix : public QObject {
         // A tile of a map that does not repeat would have a seam.
         studio.find<QListWidget>("exportKinds")->setCurrentRow(1);
         studio.find<QCheckBox>("exportTileable")->click();
-        studio.find<QLineEdit>("exportName")->setText("tile");
-        studio.find<QPushButton>("exportStart")->click();
-        QVERIFY(waitFor(
-            [&] { return studio.find<QLabel>("exportResult")->text().contains("repeat"); }));
-        QVERIFY(!QFile::exists(m_folder.filePath("tile.png")));
+        QVERIFY(!studio.find<QPushButton>("exportStart")->isEnabled());
+        QVERIFY(studio.find<QLabel>("exportFiles")->text().contains("256 x 256"));
         studio.trigger("mix.repeat");
         QVERIFY(settleMix(studio));
+        QVERIFY(studio.find<QPushButton>("exportStart")->isEnabled());
         QVERIFY(write(1, "tile", "tile.png"));
     }
 
