@@ -256,7 +256,7 @@ class TestExport : public QObject {
         QCOMPARE(ExportPresets(settings).names(), QStringList("game"));
         settings.setJson("export-presets", "{\"bad\": {\"width\": -5, \"kind\": 99}}");
         const auto bad = presets.find("bad");
-        QVERIFY(bad && bad->size.width == 1 && bad->kind == ExportKind::Engine);
+        QVERIFY(bad && bad->size.width == 1 && bad->kind == ExportKind::Mixture);
         settings.setJson("export-presets", "not JSON");
         QVERIFY(presets.names().isEmpty());
     }
