@@ -115,10 +115,31 @@ void MainWindow::createMenus() {
          {"noise.flat", "noise.ground", "noise.mesh", "noise.surface", "", "noise.lighting"});
     QMenu* mix = menuBar()->addMenu(tr("&Mix"));
     mix->setObjectName(QStringLiteral("mixMenu"));
-    fill(mix, {"mix.open",    "mix.swap",  "mix.remove",   "",           "mix.look",   "mix.brush",
-               "mix.smooth",  "mix.erase", "mix.gradient", "mix.round",  "",           "mix.larger",
-               "mix.smaller", "",          "mix.fill",     "mix.strips", "mix.invert", "mix.repeat",
-               "mix.show",    "",          "mix.import",   "mix.export"});
+    fill(mix,
+         {"mix.open",
+          "mix.swap",
+          "mix.remove",
+          "",
+          "mix.look",
+          "mix.brush",
+          "mix.smooth",
+          "mix.erase",
+          "mix.gradient",
+          "mix.round",
+          "",
+          "mix.larger",
+          "mix.smaller",
+          "",
+          "mix.fill",
+          "mix.strips",
+          "mix.stripsDown",
+          "mix.passage",
+          "mix.invert",
+          "mix.repeat",
+          "mix.show",
+          "",
+          "mix.import",
+          "mix.export"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     for (const char* id : kDockOrder)
         window->addAction(m_docks.at(QLatin1String(id))->toggleViewAction());

@@ -108,6 +108,8 @@ void MainWindow::createMixActions() {
     createMapActions();
     for (const char* id : {"mix.fill",
                            "mix.strips",
+                           "mix.stripsDown",
+                           "mix.passage",
                            "mix.invert",
                            "mix.repeat",
                            "mix.show",
@@ -143,11 +145,23 @@ void MainWindow::createMapActions() {
            QStringLiteral("Shift+F"),
            [this] { m_mix->fill(m_tools->state().target); });
     action(QStringLiteral("mix.strips"),
-           tr("S&trips from A to B"),
+           tr("S&trips, left to right"),
            tr("One strip for each texton, from the first material on the left to the second one on "
               "the right."),
            QStringLiteral("Shift+T"),
            [this] { m_mix->makeStrips(0.0); });
+    action(QStringLiteral("mix.stripsDown"),
+           tr("Strips, top to b&ottom"),
+           tr("One strip for each texton, from the first material at the top to the second one at "
+              "the bottom."),
+           QStringLiteral("Ctrl+Shift+T"),
+           [this] { m_mix->makeStrips(90.0); });
+    action(QStringLiteral("mix.passage"),
+           tr("Smooth passa&ge"),
+           tr("From the first material on the left to the second one on the right, slowly at both "
+              "ends."),
+           QStringLiteral("Shift+D"),
+           [this] { m_mix->makePassage(); });
     action(QStringLiteral("mix.invert"),
            tr("&Invert the map"),
            tr("The second material where the first one was."),

@@ -1841,10 +1841,6 @@
         <translation>Elle devient partout ce que le pinceau peint.</translation>
     </message>
     <message>
-        <source>S&amp;trips from A to B</source>
-        <translation>&amp;Bandes de A à B</translation>
-    </message>
-    <message>
         <source>One strip for each texton, from the first material on the left to the second one on the right.</source>
         <translation>Une bande par texton, de la première matière à gauche à la seconde à droite.</translation>
     </message>
@@ -1903,6 +1899,26 @@
     <message>
         <source>Pictures (*.png *.tif *.exr)</source>
         <translation>Images (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>S&amp;trips, left to right</source>
+        <translation>Bandes de &amp;gauche à droite</translation>
+    </message>
+    <message>
+        <source>Strips, top to b&amp;ottom</source>
+        <translation>Bandes de haut en &amp;bas</translation>
+    </message>
+    <message>
+        <source>One strip for each texton, from the first material at the top to the second one at the bottom.</source>
+        <translation>Une bande par texton, de la première matière en haut à la seconde en bas.</translation>
+    </message>
+    <message>
+        <source>Smooth passa&amp;ge</source>
+        <translation>Passa&amp;ge doux</translation>
+    </message>
+    <message>
+        <source>From the first material on the left to the second one on the right, slowly at both ends.</source>
+        <translation>De la première matière à gauche à la seconde à droite, doucement aux deux bouts.</translation>
     </message>
 </context>
 <context>
@@ -1976,6 +1992,10 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Smooth passage from A to B</source>
+        <translation>Passage doux de A à B</translation>
     </message>
 </context>
 <context>

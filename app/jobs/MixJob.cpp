@@ -19,7 +19,8 @@ QImage previewOf(const Image& image, const MaterialMaps& maps) {
 MixFrame frameOf(const MixedTexton& one, const MaterialMaps& maps) {
     MixFrame frame;
     frame.rho = one.rho;
-    frame.texton = previewOf(textonPicture(one.texton, {0, 0}), maps);
+    frame.pictures = mapPictures(textonPicture(one.texton, {0, 0}), maps);
+    frame.texton = toQImage(frame.pictures.front().image());
     const auto noise = NoiseGrid::create(one.texton, {});
     if (const auto picture =
             noise ? noise->render({0, 0, {kPreviewPx, kPreviewPx}}) : Result<Image>(noise.error()))

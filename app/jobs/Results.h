@@ -74,6 +74,7 @@ struct TextonResult {
 /// One of the textons between two exemplars, as the film strip shows it.
 struct MixFrame {
     double rho = 0.0;
+    MapPictures pictures; ///< of the texton
     QImage texton;
     QImage noise; ///< of it alone, at 100 %
 };

@@ -82,6 +82,11 @@ void MixEditor::makeStrips(double degreesClockwise) {
     setMap(tr("Strips from A to B"), stripMap(mix.map.size(), mix.textons, degreesClockwise));
 }
 
+void MixEditor::makePassage() {
+    setMap(tr("Smooth passage from A to B"),
+           gradientMap(m_document.project().mix.map.size(), 0.0, Ease::Smooth));
+}
+
 void MixEditor::invertMap() {
     setMap(tr("Invert the map"), inverted(m_document.project().mix.map.image()));
 }

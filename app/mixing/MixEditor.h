@@ -22,6 +22,8 @@ class MixEditor : public QObject {
     void fill(double rho);
     /// As many equal strips as there are textons, from A on the left (0 degrees, clockwise) to B.
     void makeStrips(double degreesClockwise);
+    /// From A on the left to B on the right, without steps, slowly at both ends.
+    void makePassage();
     void invertMap();
     void setRepeats(bool repeats);
     /// A grey picture as the map. Takes its size, so that one of its pixels is one of the

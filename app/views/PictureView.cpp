@@ -207,6 +207,10 @@ std::shared_ptr<const PicturePyramid> PictureView::pyramidOf(Picture picture) co
             return pictureOf(gaussian, exemplar->exemplar.maps);
         break;
     case Picture::Texton:
+        if (const auto one = shownMixTexton(); one && m_pipeline.mix()->finished) {
+            const auto mix = m_pipeline.mix();
+            return pictureOf(std::shared_ptr<const MixFrame>(mix, &mix->frames[*one]), mix->maps);
+        }
         if (const auto shown = texton())
             return pictureOf(shown, shown->maps);
         break;

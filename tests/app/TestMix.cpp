@@ -231,6 +231,12 @@ class TestMix : public QObject {
         QVERIFY(rhoAt(studio, -120, 0) < 0.01);
         TXN_AT_MOST(std::abs(rhoAt(studio, 0, 0) - 0.5), 1e-4);
         QVERIFY(rhoAt(studio, 120, 0) > 0.99);
+        studio.trigger("mix.stripsDown");
+        QVERIFY(rhoAt(studio, 0, -120) < 0.01);
+        QVERIFY(rhoAt(studio, 0, 120) > 0.99);
+        studio.trigger("mix.passage");
+        TXN_AT_MOST(std::abs(rhoAt(studio, 0, 0) - 0.5), 0.01);
+        QVERIFY(rhoAt(studio, -120, 0) < 0.01);
         // Mirrored strokes.
         studio.trigger("mix.fill");
         studio.trigger("mix.erase");
@@ -263,6 +269,14 @@ class TestMix : public QObject {
         QVERIFY(settleMix(studio));
         QVERIFY(noiseOf(studio) != mixture);
         QVERIFY(blueAt(studio, 0, 0) > 0.2);
+        // Its texton is what the texton view shows.
+        studio.document().changeView([](ViewState& view) { view.shown[0] = Picture::Texton; });
+        const QImage texton = noiseView(studio).grabPicture();
+        QTest::keyClick(strip, Qt::Key_Escape);
+        QVERIFY(noiseView(studio).grabPicture() != texton);
+        QTest::keyClick(strip, Qt::Key_Left); // the last one again
+        QVERIFY(noiseView(studio).grabPicture() == texton);
+        studio.document().changeView([](ViewState& view) { view.shown[0] = Picture::Noise; });
         QTest::keyClick(strip, Qt::Key_Escape);
         QVERIFY(!studio.document().view().mixRho);
         QVERIFY(settleMix(studio));

@@ -87,9 +87,24 @@ QString writePicture(const QTemporaryDir& folder, const QString& name) {
     return saveImage(image, path.toStdString()) ? path : QString();
 }
 
+/// A second material, with a map of some texels.
+void rollMix(MixSettings& mix, const std::shared_ptr<const Source>& source, Dice& dice) {
+    mix.source = source;
+    mix.edit.straightenDegrees = dice.number(-45.0, 45.0);
+    mix.edit.periodic = dice.pick(0, 1) == 1;
+    mix.textons = dice.pick(2, 64);
+    mix.mapScale = dice.number(0.1, 10.0);
+    mix.repeats = dice.pick(0, 1) == 1;
+    Image map({dice.pick(1, 150), dice.pick(1, 150)}, 1);
+    for (float& v : map.samples())
+        v = static_cast<float>(dice.number(0.0, 1.0));
+    mix.map = PaintedMap::fromImage(map);
+}
+
 /// All of the project but where its exemplar came from.
 bool sameSettings(Project a, Project b) {
     a.source = b.source = nullptr;
+    a.mix.source = b.mix.source = nullptr;
     a.importedTexton = b.importedTexton = nullptr;
     return a == b;
 }
@@ -125,12 +140,16 @@ class TestProjectFile : public QObject {
     void everyFieldComesBack() {
         const auto source = openSource(writePicture(m_folder, "stone.png"));
         TXN_OK(source);
+        const auto second = openSource(writePicture(m_folder, "moss.png"));
+        TXN_OK(second);
         Dice dice(3);
         for (int i = 0; i < 40; ++i) {
             Project project;
             ViewState view;
             roll(project, view, dice);
             project.source = *source;
+            if (i % 2 == 1)
+                rollMix(project.mix, *second, dice);
             const QString path = m_folder.filePath("a.txnproj");
             TXN_OK(saveProject(project, view, path));
             const auto opened = openProject(path);
@@ -138,6 +157,9 @@ class TestProjectFile : public QObject {
             QVERIFY(sameSettings(opened->project, project));
             QVERIFY(opened->view == view);
             QVERIFY(opened->warnings.isEmpty());
+            QCOMPARE(opened->project.mix.source != nullptr, i % 2 == 1);
+            if (i % 2 == 1)
+                QCOMPARE(opened->project.mix.source->name(), "moss.png");
             QVERIFY((*opened->project.source->picture())->image == (*(*source)->picture())->image);
             QCOMPARE(opened->project.source->name(), "stone.png");
             QCOMPARE(opened->project.source->hash(), (*source)->hash());
@@ -205,12 +227,13 @@ class TestProjectFile : public QObject {
     void damageIsRefusedAndNeverWorse() {
         const auto source = openSource(writePicture(m_folder, "s.png"));
         TXN_OK(source);
+        Dice dice(11);
         Project project;
         project.source = *source;
+        rollMix(project.mix, *source, dice);
         const QByteArray whole = encodeProject(project, {}, ExemplarStorage::Embedded, "/");
         for (qsizetype n = 0; n < whole.size(); n += 1 + whole.size() / 100)
             QVERIFY(!decodeProject(whole.left(n), "/x.txnproj"));
-        Dice dice(11);
         for (int i = 0; i < 300; ++i) {
             QByteArray bytes = whole;
             for (int k = 0; k < 3; ++k)
