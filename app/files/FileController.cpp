@@ -20,7 +20,6 @@ namespace txn::app {
 namespace {
 
 const QLatin1String kProjectEnding(".txnproj");
-constexpr int kFirstMapSide = 1024;
 
 } // namespace
 
@@ -90,7 +89,9 @@ void FileController::showSecond(const std::shared_ptr<const Source>& source) {
         // The first one shows at once what mixing is.
         if (!project.mix.source)
             project.mix.map = PaintedMap::fromImage(
-                gradientMap({kFirstMapSide, kFirstMapSide}, 0.0, Ease::Smooth));
+                gradientMap({PaintedMap::kStandardSide, PaintedMap::kStandardSide},
+                            0.0,
+                            Ease::Smooth));
         project.mix.source = source;
         project.mix.edit = ExemplarEdit{};
         project.mix.edit.linear = project.edit.linear;

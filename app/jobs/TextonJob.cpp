@@ -10,7 +10,6 @@ namespace txn::app {
 namespace {
 
 /// Often enough to see the texton form, seldom enough to cost little.
-/// Often enough to see the texton form, seldom enough to cost little.
 constexpr qint64 kPublishEveryMs = 80;
 /// Before that, a fit still looks like the noise it began with.
 constexpr int kFirstUsable = 12;

@@ -45,7 +45,9 @@ MixPanel::MixPanel(ProjectDocument& document,
     row->addWidget(buildStrip(), 1);
     row->addWidget(buildTools());
     connect(&m_document, &ProjectDocument::projectChanged, this, &MixPanel::showMaterials);
-    connect(&m_document, &ProjectDocument::viewChanged, this, &MixPanel::showFrames);
+    connect(&m_document, &ProjectDocument::viewChanged, this, [this] {
+        m_strip->setChosen(chosenFrame()); // views move often, and nothing else depends on them
+    });
     connect(&m_pipeline, &Pipeline::exemplarChanged, this, &MixPanel::showMaterials);
     connect(&m_pipeline, &Pipeline::secondExemplarChanged, this, &MixPanel::showMaterials);
     connect(&m_pipeline, &Pipeline::mixChanged, this, &MixPanel::showFrames);

@@ -72,32 +72,42 @@ void Pipeline::fail(const Error& error) {
 
 void Pipeline::updateExemplar() {
     const Project& project = m_document.project();
-    if (!project.source) {
-        if (drop(JobKind::Exemplar, m_exemplar))
-            emit exemplarChanged();
+    updateExemplar(JobKind::Exemplar,
+                   tr("Preparing the exemplar"),
+                   m_exemplar,
+                   {project.source, project.edit},
+                   &Pipeline::exemplarChanged);
+}
+
+/// Either of them: no source, no exemplar.
+void Pipeline::updateExemplar(JobKind kind,
+                              const QString& title,
+                              Stage<ExemplarKey, ExemplarResult>& stage,
+                              const ExemplarKey& key,
+                              void (Pipeline::*changed)()) {
+    if (!key.source) {
+        if (drop(kind, stage))
+            emit(this->*changed)();
         return;
     }
-    const ExemplarKey key{project.source, project.edit};
-    if (!m_exemplar.want(key))
+    if (!stage.want(key))
         return;
-    if (m_exemplar.made == key) { // undone before the new one was there
-        m_runner.cancel(JobKind::Exemplar);
+    if (stage.made == key) { // undone before the new one was there
+        m_runner.cancel(kind);
         return;
     }
-    m_runner.submit(JobKind::Exemplar,
-                    tr("Preparing the exemplar"),
-                    [this, key](JobContext& context) -> Delivery {
-                        auto result = makeExemplarResult(key.source, key.edit, context);
-                        return [this, key, result = std::move(result)] {
-                            if (!result) {
-                                fail(result.error());
-                                return;
-                            }
-                            m_exemplar.set(key, *result);
-                            emit exemplarChanged();
-                            update();
-                        };
-                    });
+    m_runner.submit(kind, title, [this, &stage, key, changed](JobContext& context) -> Delivery {
+        auto result = makeExemplarResult(key.source, key.edit, context);
+        return [this, &stage, key, changed, result = std::move(result)] {
+            if (!result) {
+                fail(result.error());
+                return;
+            }
+            stage.set(key, *result);
+            emit(this->*changed)();
+            update();
+        };
+    });
 }
 
 void Pipeline::updateGaussian() {
@@ -217,33 +227,12 @@ void Pipeline::recomputeTexton() {
 }
 
 void Pipeline::updateSecondExemplar() {
-    const MixSettings& mix = m_document.project().mix;
-    if (!mix.source || !m_document.project().source) {
-        if (drop(JobKind::SecondExemplar, m_second))
-            emit secondExemplarChanged();
-        return;
-    }
-    const ExemplarKey key{mix.source, mix.edit};
-    if (!m_second.want(key))
-        return;
-    if (m_second.made == key) { // undone before the new one was there
-        m_runner.cancel(JobKind::SecondExemplar);
-        return;
-    }
-    m_runner.submit(JobKind::SecondExemplar,
-                    tr("Preparing the second exemplar"),
-                    [this, key](JobContext& context) -> Delivery {
-                        auto result = makeExemplarResult(key.source, key.edit, context);
-                        return [this, key, result = std::move(result)] {
-                            if (!result) {
-                                fail(result.error());
-                                return;
-                            }
-                            m_second.set(key, *result);
-                            emit secondExemplarChanged();
-                            update();
-                        };
-                    });
+    const Project& project = m_document.project();
+    updateExemplar(JobKind::SecondExemplar,
+                   tr("Preparing the second exemplar"),
+                   m_second,
+                   {project.source ? project.mix.source : nullptr, project.mix.edit},
+                   &Pipeline::secondExemplarChanged);
 }
 
 void Pipeline::updateMix() {

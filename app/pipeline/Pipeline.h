@@ -176,6 +176,12 @@ class Pipeline : public QObject {
         bool operator==(const AnalysisKey&) const = default;
     };
 
+    void updateExemplar(JobKind kind,
+                        const QString& title,
+                        Stage<ExemplarKey, ExemplarResult>& stage,
+                        const ExemplarKey& key,
+                        void (Pipeline::*changed)());
+
     ProjectDocument& m_document;
     JobRunner& m_runner;
     QTimer m_updateSoon;

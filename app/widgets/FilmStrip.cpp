@@ -36,6 +36,8 @@ void FilmStrip::setFrames(std::vector<Frame> frames) {
 }
 
 void FilmStrip::setChosen(std::optional<int> frame) {
+    if (m_chosen == frame)
+        return;
     m_chosen = frame;
     update();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compute/ComputeTexton.h"
 
+#include "core/compute/MethodParams.h"
 #include "core/gaussian/ChannelWeights.h"
 #include "core/qa/KernelChoice.h"
 #include "core/texton/ColorCorrection.h"
@@ -33,19 +34,13 @@ class Computation {
           m_cancel(cancel) {}
 
     Result<ComputedTexton> fit() const {
-        LeastSquaresParams params;
-        params.support = m_params.support;
-        params.interpolationOrder = m_params.interpolationOrder;
-        params.seed = m_params.seed;
-        params.channelWeights = channelWeights(m_exemplar);
+        auto params = leastSquaresParams(m_params, channelWeights(m_exemplar));
         const int most = mostTrialKernels(m_model.channels());
         const double trials = m_params.kernels ? 0.0 : workOfAll(most);
         std::vector<double> trialErrors;
         // The trials end with the number of kernels; until then it may be any.
         const double all = trials + workOf(m_params.kernels.value_or(most));
-        if (m_params.kernels) {
-            params.kernels = *m_params.kernels;
-        } else {
+        if (!m_params.kernels) {
             auto chosen = chooseKernels(
                 m_exemplar,
                 m_model.isPeriodicComponent(),
@@ -79,12 +74,7 @@ class Computation {
     }
 
     Result<ComputedTexton> project() const {
-        TextonParams params;
-        params.support = m_params.support;
-        params.interpolationOrder = m_params.interpolationOrder;
-        params.iterations = m_params.iterations;
-        params.momentum = m_params.momentum;
-        params.seed = m_params.seed;
+        const TextonParams params = projectionParams(m_params);
         auto solver = TextonSolver::create(m_model, params);
         if (!solver)
             return solver.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compute/MixSolver.h"
 
+#include "core/compute/MethodParams.h"
 #include "core/gaussian/ChannelWeights.h"
 #include "core/qa/KernelChoice.h"
 #include "core/texton/ColorCorrection.h"
@@ -46,16 +47,6 @@ Texton between(const Texton& a, const Texton& b, double share) {
         for (std::size_t i = 0; i < to.size(); ++i)
             to[i] += static_cast<float>(share) * (from[i] - to[i]);
     }
-    return result;
-}
-
-LeastSquaresParams leastSquares(const ComputeParams& params, std::vector<double> weights) {
-    LeastSquaresParams result;
-    result.support = params.support;
-    result.interpolationOrder = params.interpolationOrder;
-    result.kernels = params.kernels.value_or(1);
-    result.seed = params.seed;
-    result.channelWeights = std::move(weights);
     return result;
 }
 
@@ -175,7 +166,7 @@ std::optional<Texton> MixSolver::startOf(double rho) const {
 
 Result<MixSolver::Found>
 MixSolver::fit(const GaussianModel& model, double rho, const CancelToken& cancel) const {
-    LeastSquaresParams params = leastSquares(m_params, m_weights);
+    LeastSquaresParams params = leastSquaresParams(m_params, m_weights);
     params.start = startOf(rho);
     Found result;
     auto fitted = fitTexton(
@@ -191,12 +182,7 @@ MixSolver::fit(const GaussianModel& model, double rho, const CancelToken& cancel
 
 Result<MixSolver::Found> MixSolver::project(const GaussianModel& model,
                                             const CancelToken& cancel) const {
-    auto solver = TextonSolver::create(model,
-                                       {m_params.support,
-                                        m_params.interpolationOrder,
-                                        m_params.iterations,
-                                        m_params.momentum,
-                                        m_params.seed});
+    auto solver = TextonSolver::create(model, projectionParams(m_params));
     if (!solver)
         return solver.error();
     while (!solver->done()) {
@@ -225,7 +211,7 @@ makeMixSolver(const MixRequest& request, MixedTextons known, const CancelToken& 
         params.kernels = known.textons.front().texton.kernelCount(); // chosen already
     if (params.method == TextonMethod::Fit && !params.kernels) {
         for (const Exemplar* exemplar : {&request.a, &request.b}) {
-            LeastSquaresParams trial = leastSquares(params, channelWeights(*exemplar));
+            const auto trial = leastSquaresParams(params, channelWeights(*exemplar));
             const bool periodic = exemplar == &request.a ? request.periodicA : request.periodicB;
             const auto chosen = chooseKernels(*exemplar, periodic, trial, {}, cancel);
             if (!chosen)

@@ -2,6 +2,7 @@
 #include "core/gaussian/Barycentre.h"
 
 #include "core/gaussian/GaussianSampler.h"
+#include "core/gaussian/Variation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -44,15 +45,11 @@ GaussianModel turnedTowards(const GaussianModel& u, const GaussianModel& v) {
 }
 
 Result<void> checkVaries(const GaussianModel& model, const char* which) {
-    double mean = 0.0;
-    for (const double m : model.mean())
-        mean = std::max(mean, std::abs(m));
-    // Rounding leaves a constant image with some 1e-7 of its mean.
-    if (!(std::sqrt(model.covariance().trace() / model.channels()) > 1e-6 * mean))
-        return Error{ErrorCode::Degenerate,
-                     std::string("exemplar ") + which +
-                         " is one flat colour: there is no texture to mix"};
-    return {};
+    if (varies(model))
+        return {};
+    return Error{ErrorCode::Degenerate,
+                 std::string("exemplar ") + which +
+                     " is one flat colour: there is no texture to mix"};
 }
 
 /// Slopes inside a stack are the same whichever way the file's green pointed.

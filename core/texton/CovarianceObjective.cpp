@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texton/CovarianceObjective.h"
 
+#include "core/gaussian/Variation.h"
 #include "core/gaussian/WhiteNoise.h"
 #include "core/spectral/BSpline.h"
 
@@ -78,12 +79,7 @@ Result<void> check(const GaussianModel& model,
             return v > 0.0 && std::isfinite(v);
         }))
         return Error{ErrorCode::InvalidArgument, "weights of channels must be above 0"};
-    // Rounding leaves a constant image with some 1e-7 of its mean.
-    double mean = 0.0;
-    for (const double m : model.mean())
-        mean = std::max(mean, std::abs(m));
-    const double deviation = std::sqrt(model.covariance().trace() / model.channels());
-    if (!(deviation > 1e-6 * mean))
+    if (!varies(model))
         return Error{ErrorCode::Degenerate,
                      "the exemplar is one flat colour: there is no texture to summarise"};
     return {};

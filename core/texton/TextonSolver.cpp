@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texton/TextonSolver.h"
 
+#include "core/gaussian/Variation.h"
 #include "core/gaussian/WhiteNoise.h"
 #include "core/spectral/BSpline.h"
 
@@ -25,13 +26,7 @@ Result<void> check(const GaussianModel& model, const TextonParams& params) {
         return Error{ErrorCode::InvalidArgument, "iterations must be between 1 and 100000"};
     if (!(params.momentum >= 0.0 && params.momentum < 1.0))
         return Error{ErrorCode::InvalidArgument, "momentum must be at least 0 and below 1"};
-    // Rounding leaves a constant image with some 1e-7 of its mean.
-    const double mean =
-        *std::max_element(model.mean().begin(), model.mean().end(), [](double a, double b) {
-            return std::abs(a) < std::abs(b);
-        });
-    const double deviation = std::sqrt(model.covariance().trace() / model.channels());
-    if (!(deviation > 1e-6 * std::abs(mean)))
+    if (!varies(model))
         return Error{ErrorCode::Degenerate,
                      "the exemplar is one flat colour: there is no texture to summarise"};
     return {};
