@@ -25,7 +25,7 @@ namespace txn::cli {
 namespace {
 
 constexpr std::size_t kSheetTextons = 5;
-constexpr Size kSheetTexton{256, 256};
+constexpr Size kSheetTexton{300, 256}; ///< two kernels at least twice as large
 constexpr Size kSheetNoise{1600, 512};
 
 struct Options {

@@ -70,8 +70,8 @@
         <translation>C&apos;est impossible avec un tel fichier&#xa0;; en choisir un d&apos;un autre type.</translation>
     </message>
     <message>
-        <source>The sizes do not fit together; please choose another support or part.</source>
-        <translation>Les tailles ne vont pas ensemble&#xa0;; choisir un autre support ou une autre partie.</translation>
+        <source>These do not fit together; please choose another picture, support or part.</source>
+        <translation>Cela ne va pas ensemble&#xa0;; choisir une autre image, un autre support ou une autre partie.</translation>
     </message>
     <message>
         <source>The picture is all one color, or has values that are no numbers; please choose another one.</source>

@@ -26,7 +26,8 @@ QString inShort(ErrorCode code) {
     case ErrorCode::Unsupported:
         return Words::tr("This cannot be done with such a file; please choose another kind.");
     case ErrorCode::SizeMismatch:
-        return Words::tr("The sizes do not fit together; please choose another support or part.");
+        return Words::tr(
+            "These do not fit together; please choose another picture, support or part.");
     case ErrorCode::Degenerate:
         return Words::tr("The picture is all one color, or has values that are no numbers; please "
                          "choose another one.");
