@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
 
 namespace txn {
 namespace {
@@ -38,35 +37,19 @@ Result<FileBytes> FileBytes::open(const std::filesystem::path& path) {
         return unreadable(path, "it is a folder; give an image file");
     if (!S_ISREG(info.st_mode))
         return unreadable(path, "it is not a plain file; give an image file");
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (fd < 0)
+    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file)
         return systemError(path, errno);
-    if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
-        ::close(fd);
-        return unreadable(path, "it is not a plain file; give an image file");
-    }
-    FileBytes bytes(fd, static_cast<std::uint64_t>(info.st_size));
-    if (bytes.size() == 0)
-        return unreadable(path, "the file is empty");
-    return bytes;
+    return of(std::move(file), path);
 }
 
-FileBytes::FileBytes(FileBytes&& other) noexcept
-    : m_fd(std::exchange(other.m_fd, -1)), m_size(other.m_size), m_begin(other.m_begin),
-      m_window(std::move(other.m_window)), m_ok(other.m_ok) {}
-
-FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
-    std::swap(m_fd, other.m_fd);
-    std::swap(m_size, other.m_size);
-    std::swap(m_begin, other.m_begin);
-    std::swap(m_window, other.m_window);
-    std::swap(m_ok, other.m_ok);
-    return *this;
-}
-
-FileBytes::~FileBytes() {
-    if (m_fd >= 0)
-        ::close(m_fd);
+Result<FileBytes> FileBytes::of(FileDescriptor file, const std::filesystem::path& name) {
+    struct stat info {};
+    if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
+        return unreadable(name, "it is not a plain file; give an image file");
+    if (info.st_size <= 0)
+        return unreadable(name, "the file is empty");
+    return FileBytes(std::move(file), static_cast<std::uint64_t>(info.st_size));
 }
 
 bool FileBytes::load(std::uint64_t offset) {
@@ -74,7 +57,7 @@ bool FileBytes::load(std::uint64_t offset) {
     m_window.resize(kWindow);
     ssize_t got = -1;
     do {
-        got = ::pread(m_fd, m_window.data(), kWindow, static_cast<off_t>(offset));
+        got = ::pread(m_file.get(), m_window.data(), kWindow, static_cast<off_t>(offset));
     } while (got < 0 && errno == EINTR);
     m_window.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
     return got > 0;

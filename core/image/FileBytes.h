@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/FileDescriptor.h"
 #include "core/base/Result.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,11 +19,13 @@ class FileBytes {
   public:
     /// Errors: NotFound; Unreadable for folders, pipes, devices, empty or forbidden files.
     [[nodiscard]] static Result<FileBytes> open(const std::filesystem::path& path);
-    FileBytes(FileBytes&& other) noexcept;
-    FileBytes& operator=(FileBytes&& other) noexcept;
-    FileBytes(const FileBytes&) = delete;
-    FileBytes& operator=(const FileBytes&) = delete;
-    ~FileBytes();
+    /// The same for a file that is open already; name is for messages.
+    [[nodiscard]] static Result<FileBytes> of(FileDescriptor file,
+                                              const std::filesystem::path& name);
+
+    int descriptor() const { return m_file.get(); }
+    /// Opens this very file, whatever has since come under its name.
+    std::string pathOfDescriptor() const { return "/proc/self/fd/" + std::to_string(m_file.get()); }
 
     std::uint64_t size() const { return m_size; }
     /// Whether length bytes exist from offset on.
@@ -45,10 +49,10 @@ class FileBytes {
     std::vector<std::uint8_t> copy(std::uint64_t offset, std::uint64_t length);
 
   private:
-    FileBytes(int fd, std::uint64_t size) : m_fd(fd), m_size(size) {}
+    FileBytes(FileDescriptor file, std::uint64_t size) : m_file(std::move(file)), m_size(size) {}
     bool load(std::uint64_t offset);
 
-    int m_fd = -1;
+    FileDescriptor m_file;
     std::uint64_t m_size = 0;
     std::uint64_t m_begin = 0;
     std::vector<std::uint8_t> m_window;

@@ -539,11 +539,9 @@ void HeaderReader::readExifOrientation(std::uint64_t at, std::uint64_t length) {
 
 } // namespace
 
-Result<ImageHeader> readImageHeader(const Path& path, const LoadOptions& options) {
-    auto bytes = FileBytes::open(path);
-    if (!bytes)
-        return bytes.error();
-    return HeaderReader(path, *bytes).read(options);
+Result<ImageHeader>
+readImageHeader(FileBytes& bytes, const Path& name, const LoadOptions& options) {
+    return HeaderReader(name, bytes).read(options);
 }
 
 Result<void> checkImageSize(const Path& path,

@@ -23,9 +23,10 @@ struct ImageHeader {
 
 /// Tells the type by content and checks what decoders fail to: sizes, completeness, and the
 /// malformed blocks that make them read out of bounds. Time grows with the file's size only.
-/// Errors: NotFound, Unreadable, TooLarge.
-[[nodiscard]] Result<ImageHeader> readImageHeader(const std::filesystem::path& path,
-                                                  const LoadOptions& options);
+/// name is for messages and tells a TGA, which has no magic number, by its ending.
+/// Errors: Unreadable, TooLarge.
+[[nodiscard]] Result<ImageHeader>
+readImageHeader(FileBytes& bytes, const std::filesystem::path& name, const LoadOptions& options);
 
 /// Errors: Unreadable for an impossible size, TooLarge beyond options.maxSamples.
 [[nodiscard]] Result<void> checkImageSize(const std::filesystem::path& path,

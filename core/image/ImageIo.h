@@ -48,9 +48,15 @@ struct LoadOptions {
 /// unless a float TIFF says "linear".
 /// Errors (message names the file): NotFound; Unreadable for folders, pipes, other or broken or
 /// truncated files, also when the decoder gives pixels and reports the damage afterwards; TooLarge.
-/// Thread-safe. NaN and infinite samples are passed on: makeExemplar refuses them.
+/// Decoding runs in a process of its own, texton-decode, which a hostile file may crash or keep
+/// busy; that is an error like others, and comes in time. Thread-safe. NaN and infinite samples are
+/// passed on: makeExemplar refuses them.
 [[nodiscard]] Result<LoadedImage> loadImage(const std::filesystem::path& path,
                                             const LoadOptions& options = {});
+
+/// Starts the helper in which loadImage decodes, so that the first picture need not wait for it.
+/// Where that fails, loadImage says so. Thread-safe.
+void startImageReading();
 
 struct SaveOptions {
     /// Unset: 8 bits for PNG, JPEG, TIFF, TGA, BMP, WebP; half for EXR; float for HDR.
