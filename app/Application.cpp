@@ -7,6 +7,7 @@
 #include "app/files/RecoveryDialog.h"
 #include "app/look/Words.h"
 #include "app/widgets/MessageBar.h"
+#include "core/image/ImageIo.h"
 
 #include <QStandardPaths>
 
@@ -38,6 +39,7 @@ QString Application::standardRecoveryFolder() {
 }
 
 void Application::start(const QStringList& files) {
+    startImageReading();
     if (!files.isEmpty()) {
         m_window->files().open(files);
         return;

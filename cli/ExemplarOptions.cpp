@@ -22,6 +22,12 @@ void addPreparation(CLI::App& app, ExemplarOptions& options) {
         ->type_name("RADIUS")
         ->check(between(0.5, 1e5));
     app.add_flag("--linear", options.linear, "Convert to linear light first");
+    app.add_option("--max-samples",
+                   options.load.maxSamples,
+                   "Refuse larger pictures: width x height x channels")
+        ->type_name("N")
+        ->check(between(1.0, static_cast<double>(LoadOptions::insisted().maxSamples)))
+        ->capture_default_str();
 }
 
 /// "height=stone_disp.png"; the name tells what the map is, and what its files will be called.
@@ -38,17 +44,25 @@ std::optional<StackEntry> parseStackEntry(const std::string& text) {
     return entry;
 }
 
+Result<LoadedImage> load(const std::filesystem::path& path, const LoadOptions& options) {
+    auto loaded = loadImage(path, options);
+    if (!loaded && loaded.error().code == ErrorCode::OverBudget)
+        return Error{ErrorCode::OverBudget,
+                     loaded.error().message + ", or allow more with --max-samples"};
+    return loaded;
+}
+
 /// The picture of the options, or the stack, before any preparation and checks.
 Result<Exemplar> loadWhole(const ExemplarOptions& options) {
     if (options.stack.empty()) {
-        auto loaded = loadImage(options.path);
+        auto loaded = load(options.path, options.load);
         if (!loaded)
             return loaded.error();
         return Exemplar{std::move(loaded->image), options.path.filename().string()};
     }
     std::vector<MapPicture> pictures;
     for (const StackEntry& entry : options.stack) {
-        auto loaded = loadImage(entry.path);
+        auto loaded = load(entry.path, options.load);
         if (!loaded)
             return loaded.error();
         pictures.push_back(

@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/gaussian/Exemplar.h"
+#include "core/image/ImageIo.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct ExemplarOptions {
     double rotate = 0.0;
     std::optional<double> flatten;
     bool linear = false;
+    LoadOptions load;
 };
 
 void addExemplarOptions(CLI::App& app, ExemplarOptions& options);

@@ -802,6 +802,18 @@
         <source>Open a photo first, then a second one to mix it with.</source>
         <translation>Ouvrez d&apos;abord une photo, puis une seconde à lui mélanger.</translation>
     </message>
+    <message>
+        <source>Open a very large picture?</source>
+        <translation>Ouvrir une très grande image ?</translation>
+    </message>
+    <message>
+        <source>Opening it may take long and much memory. Open only files that you trust this way.</source>
+        <translation>L’ouvrir peut prendre du temps et beaucoup de mémoire. N’ouvrez ainsi que des fichiers sûrs.</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Ouvrir quand même</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>

@@ -11,7 +11,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QTemporaryFile>
 #include <algorithm>
 
 namespace txn::app {
@@ -36,22 +35,12 @@ Result<Source::File> readFile(const QString& path) {
                         QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
 }
 
-Result<LoadedImage> decoded(const QByteArray& bytes, const QString& name) {
-    // The decoders read files only, and know some kinds by their endings only.
-    QTemporaryFile file(
-        QDir::temp().filePath(QStringLiteral("texton-studio-XXXXXX.") + QFileInfo(name).suffix()));
-    if (!file.open() || file.write(bytes) != bytes.size() || !file.flush())
-        return Error{
-            ErrorCode::Unwritable,
-            "cannot unpack '" + name.toStdString() +
-                "' into the folder for temporary files: " + file.errorString().toStdString()};
-    auto loaded = loadImage(toPath(file.fileName()));
-    if (!loaded) {
-        QString message = QString::fromStdString(loaded.error().message);
-        message.replace(file.fileName(), name);
-        return Error{loaded.error().code, message.toStdString()};
-    }
-    return loaded;
+Result<LoadedImage>
+decoded(const QByteArray& bytes, const QString& name, const LoadOptions& options) {
+    const auto size = static_cast<std::size_t>(bytes.size());
+    return loadImage({reinterpret_cast<const std::uint8_t*>(bytes.constData()), size},
+                     toPath(name),
+                     options);
 }
 
 Result<LoadedImage> drawnSample(const QString& sample) {
@@ -64,8 +53,10 @@ Result<LoadedImage> drawnSample(const QString& sample) {
     return loaded;
 }
 
+/// Of a file that was decoded before, however large.
 Result<LoadedImage> decodedFile(const Source::File& file) {
-    return file.sample.isEmpty() ? decoded(file.bytes, file.name) : drawnSample(file.sample);
+    return file.sample.isEmpty() ? decoded(file.bytes, file.name, LoadOptions::insisted())
+                                 : drawnSample(file.sample);
 }
 
 /// loaded: of the files, one each.
@@ -141,8 +132,8 @@ void Source::letGo(const std::shared_ptr<const Source>& source) {
     });
 }
 
-Result<std::shared_ptr<const Source>> openSource(const QString& path) {
-    auto loaded = loadImage(toPath(path));
+Result<std::shared_ptr<const Source>> openSource(const QString& path, const LoadOptions& options) {
+    auto loaded = loadImage(toPath(path), options);
     if (!loaded)
         return loaded.error();
     auto file = readFile(path);
@@ -151,8 +142,8 @@ Result<std::shared_ptr<const Source>> openSource(const QString& path) {
     return std::make_shared<const Source>(std::move(*file), std::move(*loaded));
 }
 
-Result<Opened> openFile(const QString& path) {
-    auto loaded = loadTextonOrImage(toPath(path));
+Result<Opened> openFile(const QString& path, const LoadOptions& options) {
+    auto loaded = loadTextonOrImage(toPath(path), options);
     if (!loaded)
         return loaded.error();
     if (auto* asset = std::get_if<TextonAsset>(&*loaded))
@@ -164,8 +155,9 @@ Result<Opened> openFile(const QString& path) {
                                                  std::move(std::get<LoadedImage>(*loaded))));
 }
 
-Result<std::shared_ptr<const Source>> decodeSource(const QByteArray& bytes, const QString& name) {
-    auto loaded = decoded(bytes, name);
+Result<std::shared_ptr<const Source>>
+decodeSource(const QByteArray& bytes, const QString& name, const LoadOptions& options) {
+    auto loaded = decoded(bytes, name, options);
     if (!loaded)
         return loaded.error();
     return std::make_shared<const Source>(
@@ -217,7 +209,8 @@ Result<std::shared_ptr<const Source>> stackSource(const std::vector<Source::Part
                                           std::move(whole));
 }
 
-Result<std::shared_ptr<const Source>> openStack(const QStringList& paths) {
+Result<std::shared_ptr<const Source>> openStack(const QStringList& paths,
+                                                const LoadOptions& options) {
     std::vector<Source::Part> parts;
     for (const QString& path : paths) {
         const auto kind = mapKindOfFileName(QFileInfo(path).fileName().toStdString());
@@ -226,7 +219,7 @@ Result<std::shared_ptr<const Source>> openStack(const QStringList& paths) {
                          quoted(toPath(QFileInfo(path).fileName())) +
                              " does not say which map it is; put a word such as color, normal, "
                              "height or roughness into its name, or open it alone"};
-        auto source = openSource(path);
+        auto source = openSource(path, options);
         if (!source)
             return source.error();
         parts.push_back(

@@ -80,15 +80,16 @@ class Source {
 };
 
 /// Reads and decodes a picture. Any thread. Errors: those of loadImage; the message names the file.
-[[nodiscard]] Result<std::shared_ptr<const Source>> openSource(const QString& path);
+[[nodiscard]] Result<std::shared_ptr<const Source>> openSource(const QString& path,
+                                                               const LoadOptions& options = {});
 
 /// A texton where the file says that it is one, a picture otherwise.
 using Opened = std::variant<std::shared_ptr<const Source>, std::shared_ptr<const TextonAsset>>;
-[[nodiscard]] Result<Opened> openFile(const QString& path);
+[[nodiscard]] Result<Opened> openFile(const QString& path, const LoadOptions& options = {});
 
 /// A picture that came as bytes (pasted, or embedded in a project) under the given name.
-[[nodiscard]] Result<std::shared_ptr<const Source>> decodeSource(const QByteArray& bytes,
-                                                                 const QString& name);
+[[nodiscard]] Result<std::shared_ptr<const Source>>
+decodeSource(const QByteArray& bytes, const QString& name, const LoadOptions& options = {});
 
 /// Registered maps of one material as one source; colors come first. Errors: those of stackMaps and
 /// of reading.
@@ -96,7 +97,8 @@ using Opened = std::variant<std::shared_ptr<const Source>, std::shared_ptr<const
 stackSource(const std::vector<Source::Part>& parts);
 /// The same from files whose names tell which maps they are. Errors: InvalidArgument for one that
 /// does not.
-[[nodiscard]] Result<std::shared_ptr<const Source>> openStack(const QStringList& paths);
+[[nodiscard]] Result<std::shared_ptr<const Source>> openStack(const QStringList& paths,
+                                                              const LoadOptions& options = {});
 
 /// One of sampleCatalog(). Errors: InvalidArgument for another name.
 [[nodiscard]] Result<std::shared_ptr<const Source>> sampleSource(const QString& sample);

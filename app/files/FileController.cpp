@@ -35,6 +35,29 @@ void FileController::tell(const Error& error) {
         emit problem(inWords(error));
 }
 
+void FileController::askForMore(const Error& error, const std::function<void()>& openAnyway) {
+    auto* box = new QMessageBox(QMessageBox::Question,
+                                tr("Open a very large picture?"),
+                                inWords(error),
+                                QMessageBox::Cancel,
+                                &m_window);
+    box->setObjectName(QStringLiteral("largePictureQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(tr("Opening it may take long and much memory. Open only files that you "
+                               "trust this way."));
+    box->addButton(tr("Open anyway"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(box, &QMessageBox::finished, this, [box, openAnyway](int) {
+        if (box->buttonRole(box->clickedButton()) == QMessageBox::AcceptRole)
+            openAnyway();
+    });
+    box->open();
+}
+
+LoadOptions FileController::usual() const {
+    return {.maxSamples = m_settings.pictureBudget()};
+}
+
 void FileController::remember(const QString& path) {
     m_settings.addRecentFile(path);
     m_settings.setFolder(QStringLiteral("open"), QFileInfo(path).absolutePath());
@@ -46,7 +69,7 @@ void FileController::open(const QString& path) {
         whenSafe([this, path] { openProjectFile(path); });
         return;
     }
-    openPictureOrTexton(path);
+    openPictureOrTexton(path, usual());
 }
 
 void FileController::open(const QStringList& paths) {
@@ -54,7 +77,9 @@ void FileController::open(const QStringList& paths) {
         open(paths.front());
         return;
     }
-    openSource(tr("Opening the maps of a material"), [paths] { return openStack(paths); }, {});
+    openSource({tr("Opening the maps of a material"),
+                [paths](const LoadOptions& options) { return openStack(paths, options); }},
+               usual());
 }
 
 void FileController::show(const Opened& opened, const QString& name) {
@@ -98,40 +123,50 @@ void FileController::showSecond(const std::shared_ptr<const Source>& source) {
     });
 }
 
-void FileController::openSource(const QString& title,
-                                std::function<Result<std::shared_ptr<const Source>>()> load,
-                                const QString& recent,
-                                Place place) {
+void FileController::openSource(const SourceRequest& request, const LoadOptions& options) {
     m_runner.submit(JobKind::Open,
-                    title,
-                    [this, load = std::move(load), recent, place](JobContext&) -> Delivery {
-                        auto source = load();
-                        return [this, source = std::move(source), recent, place] {
+                    request.title,
+                    [this, request, options](JobContext&) -> Delivery {
+                        auto source = request.load(options);
+                        return [this, source = std::move(source), request] {
+                            if (!source && source.error().code == ErrorCode::OverBudget) {
+                                askForMore(source.error(), [this, request] {
+                                    openSource(request, LoadOptions::insisted());
+                                });
+                                return;
+                            }
                             if (!source) {
                                 tell(source.error());
                                 return;
                             }
-                            if (place == Place::Second)
+                            if (request.place == Place::Second)
                                 showSecond(*source);
                             else
                                 show(*source, (*source)->name());
-                            if (!recent.isEmpty())
-                                remember(recent);
+                            if (!request.recent.isEmpty())
+                                remember(request.recent);
                         };
                     });
 }
 
 void FileController::openSample(const QString& name) {
-    openSource(tr("Making the sample"), [name] { return sampleSource(name); }, {});
+    openSource({tr("Making the sample"), [name](const LoadOptions&) { return sampleSource(name); }},
+               usual());
 }
 
-void FileController::openPictureOrTexton(const QString& path) {
+void FileController::openPictureOrTexton(const QString& path, const LoadOptions& options) {
     const QString name = QFileInfo(path).fileName();
     m_runner.submit(JobKind::Open,
                     tr("Opening %1").arg(name),
-                    [this, path, name](JobContext&) -> Delivery {
-                        auto opened = openFile(path);
+                    [this, path, name, options](JobContext&) -> Delivery {
+                        auto opened = openFile(path, options);
                         return [this, opened = std::move(opened), path, name] {
+                            if (!opened && opened.error().code == ErrorCode::OverBudget) {
+                                askForMore(opened.error(), [this, path] {
+                                    openPictureOrTexton(path, LoadOptions::insisted());
+                                });
+                                return;
+                            }
                             if (!opened) {
                                 tell(opened.error());
                                 m_settings.removeRecentFile(path);
@@ -202,26 +237,28 @@ void FileController::openSecondDialog() {
 
 void FileController::openSecond(const QStringList& paths) {
     if (paths.size() == 1) {
-        openSource(
-            tr("Opening %1").arg(QFileInfo(paths.front()).fileName()),
-            [path = paths.front()] { return app::openSource(path); },
-            paths.front(),
-            Place::Second);
+        openSource({tr("Opening %1").arg(QFileInfo(paths.front()).fileName()),
+                    [path = paths.front()](const LoadOptions& options) {
+                        return app::openSource(path, options);
+                    },
+                    paths.front(),
+                    Place::Second},
+                   usual());
         return;
     }
-    openSource(
-        tr("Opening the maps of a material"),
-        [paths] { return openStack(paths); },
-        {},
-        Place::Second);
+    openSource({tr("Opening the maps of a material"),
+                [paths](const LoadOptions& options) { return openStack(paths, options); },
+                {},
+                Place::Second},
+               usual());
 }
 
 void FileController::openSecondSample(const QString& name) {
-    openSource(
-        tr("Making the sample"),
-        [name] { return sampleSource(name); },
-        {},
-        Place::Second);
+    openSource({tr("Making the sample"),
+                [name](const LoadOptions&) { return sampleSource(name); },
+                {},
+                Place::Second},
+               usual());
 }
 
 bool FileController::canOpen(const QMimeData& data) {
@@ -258,20 +295,21 @@ bool FileController::openMime(const QMimeData& data, Place place) {
     if (png.isEmpty() && image.isNull())
         return false;
     openSource(
-        tr("Pasting a picture"),
-        [png, image, name = tr("Pasted picture") + QStringLiteral(".png")]()
-            -> Result<std::shared_ptr<const Source>> {
-            QByteArray bytes = png;
-            QBuffer buffer(&bytes);
-            if (bytes.isEmpty() &&
-                (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")))
-                return Error{
-                    ErrorCode::Unreadable,
-                    "the pasted picture cannot be read; please save it as a file and open that"};
-            return decodeSource(bytes, name);
-        },
-        {},
-        place);
+        {tr("Pasting a picture"),
+         [png, image, name = tr("Pasted picture") + QStringLiteral(".png")](
+             const LoadOptions& options) -> Result<std::shared_ptr<const Source>> {
+             QByteArray bytes = png;
+             QBuffer buffer(&bytes);
+             if (bytes.isEmpty() &&
+                 (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")))
+                 return Error{
+                     ErrorCode::Unreadable,
+                     "the pasted picture cannot be read; please save it as a file and open that"};
+             return decodeSource(bytes, name, options);
+         },
+         {},
+         place},
+        usual());
     return true;
 }
 

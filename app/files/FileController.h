@@ -61,16 +61,23 @@ class FileController : public QObject {
     /// Which exemplar.
     enum class Place { First, Second };
 
-    void openSource(const QString& title,
-                    std::function<Result<std::shared_ptr<const Source>>()> load,
-                    const QString& recent,
-                    Place place = Place::First);
+    struct SourceRequest {
+        QString title; ///< of the job
+        std::function<Result<std::shared_ptr<const Source>>(const LoadOptions&)> load;
+        QString recent{}; ///< the file to remember, if there is one
+        Place place = Place::First;
+    };
+
+    /// As large as pictures may be before the user is asked.
+    LoadOptions usual() const;
+    void askForMore(const Error& error, const std::function<void()>& openAnyway);
+    void openSource(const SourceRequest& request, const LoadOptions& options);
     bool openMime(const QMimeData& data, Place place);
     void showDialog(const QString& title,
                     const QString& filter,
                     const std::function<void(const QStringList&)>& open);
     void showSecond(const std::shared_ptr<const Source>& source);
-    void openPictureOrTexton(const QString& path);
+    void openPictureOrTexton(const QString& path, const LoadOptions& options);
     void openProjectFile(const QString& path);
     void show(const Opened& opened, const QString& name);
     void saveAs(const std::function<void()>& then);

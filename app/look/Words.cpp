@@ -22,6 +22,7 @@ QString inShort(ErrorCode code) {
     case ErrorCode::Unwritable:
         return Words::tr("The file cannot be written; please choose another place.");
     case ErrorCode::TooLarge:
+    case ErrorCode::OverBudget:
         return Words::tr("This is too large; please choose a smaller picture, part or size.");
     case ErrorCode::Unsupported:
         return Words::tr("This cannot be done with such a file; please choose another kind.");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings/Settings.h"
 
+#include "core/image/ImageIo.h"
+
 #include <QFileInfo>
 #include <algorithm>
 
@@ -35,6 +37,13 @@ Surround Settings::surround() const {
 }
 void Settings::setSurround(Surround surround) {
     m_settings.setValue(QStringLiteral("look/surround"), static_cast<int>(surround));
+}
+
+std::size_t Settings::pictureBudget() const {
+    bool isNumber = false;
+    const qulonglong budget =
+        m_settings.value(QStringLiteral("open/pictureBudget")).toULongLong(&isNumber);
+    return isNumber ? budget : LoadOptions{}.maxSamples;
 }
 
 QString Settings::language() const {

@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QSettings>
 #include <QStringList>
+#include <cstddef>
 
 namespace txn::app {
 
@@ -23,6 +24,8 @@ class Settings {
     void setTheme(ThemeChoice theme);
     Surround surround() const;
     void setSurround(Surround surround);
+    /// How many samples a picture may have before the user is asked; of the settings file only.
+    std::size_t pictureBudget() const;
     /// Such as "fr"; empty: that of the system.
     QString language() const;
     void setLanguage(const QString& language);

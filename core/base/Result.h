@@ -13,7 +13,8 @@ enum class ErrorCode {
     NotFound,        ///< no such file
     Unreadable,      ///< the file exists and cannot be read as what it should be
     Unwritable,      ///< the output cannot be written
-    TooLarge,        ///< more samples or memory than allowed
+    TooLarge,        ///< more samples or memory than can be dealt with
+    OverBudget,      ///< more than was allowed, and the caller may allow more
     Unsupported,     ///< a valid request that this file type or method cannot serve
     SizeMismatch,    ///< two inputs do not fit together
     Degenerate,      ///< the data has no variance, or is not finite

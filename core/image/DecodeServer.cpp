@@ -7,7 +7,6 @@
 #include "core/image/ImageDecoder.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <sys/socket.h>
 
@@ -18,21 +17,6 @@ struct DecoderEnds {
     DecodeChannel messages;
     FileDescriptor pictures;
 };
-
-/// Whether all bytes could be written.
-bool writeAll(int fd, const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const char*>(data);
-    while (size > 0) {
-        const ssize_t written = ::write(fd, bytes, size);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return false;
-        bytes += written;
-        size -= static_cast<std::size_t>(written);
-    }
-    return true;
-}
 
 bool writeSamples(int fd, const Image& image) {
     return writeAll(fd, image.samples().data(), image.samples().size_bytes());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -50,6 +51,14 @@ Result<FileBytes> FileBytes::of(FileDescriptor file, const std::filesystem::path
     if (info.st_size <= 0)
         return unreadable(name, "the file is empty");
     return FileBytes(std::move(file), static_cast<std::uint64_t>(info.st_size));
+}
+
+Result<FileBytes> FileBytes::holding(std::span<const std::uint8_t> content,
+                                     const std::filesystem::path& name) {
+    FileDescriptor file(::memfd_create("picture", MFD_CLOEXEC));
+    if (!file || !writeAll(file.get(), content.data(), content.size()))
+        return unreadable(name, std::generic_category().message(errno));
+    return of(std::move(file), name);
 }
 
 bool FileBytes::load(std::uint64_t offset) {

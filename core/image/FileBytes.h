@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,11 @@ class FileBytes {
     /// The same for a file that is open already; name is for messages.
     [[nodiscard]] static Result<FileBytes> of(FileDescriptor file,
                                               const std::filesystem::path& name);
+
+    /// A file in memory with that content. Errors: Unreadable for nothing, and where the system has
+    /// no room.
+    [[nodiscard]] static Result<FileBytes> holding(std::span<const std::uint8_t> content,
+                                                   const std::filesystem::path& name);
 
     int descriptor() const { return m_file.get(); }
     /// Opens this very file, whatever has since come under its name.

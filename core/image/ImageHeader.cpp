@@ -558,7 +558,7 @@ Result<void> checkImageSize(const Path& path,
     const std::uint64_t most = options.maxSamples;
     if (width > most || height > most / width || channels > most / (width * height) ||
         width > INT32_MAX || height > INT32_MAX)
-        return Error{ErrorCode::TooLarge,
+        return Error{ErrorCode::OverBudget,
                      quoted(path) + " is too large: " + dimensions + ", and at most " +
                          std::to_string(most) + " samples are read; make it smaller first"};
     if (channels > kMaxChannels)

@@ -6,10 +6,12 @@
 #include "core/image/Image.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,9 @@ struct LoadedImage {
 struct LoadOptions {
     /// Refuse files whose header promises more samples (width x height x channels) than this.
     std::size_t maxSamples = std::size_t{1} << 28U;
+
+    /// For a file that the user insists on: as much as there is memory for.
+    static constexpr LoadOptions insisted() { return {.maxSamples = std::size_t{1} << 40U}; }
 };
 
 /// Reads PNG, JPEG, TIFF, EXR, HDR, TGA, BMP or WebP, told by the content, not by the name.
@@ -47,11 +52,17 @@ struct LoadOptions {
 /// and EXR are Linear unless their attribute texton:transfer says "encoded"; the rest is Encoded,
 /// unless a float TIFF says "linear".
 /// Errors (message names the file): NotFound; Unreadable for folders, pipes, other or broken or
-/// truncated files, also when the decoder gives pixels and reports the damage afterwards; TooLarge.
-/// Decoding runs in a process of its own, texton-decode, which a hostile file may crash or keep
-/// busy; that is an error like others, and comes in time. Thread-safe. NaN and infinite samples are
-/// passed on: makeExemplar refuses them.
+/// truncated files, also when the decoder gives pixels and reports the damage afterwards;
+/// OverBudget for more than maxSamples; TooLarge for more than there is memory for. Decoding runs
+/// in a process of its own, texton-decode, which a hostile file may crash or keep busy; that is an
+/// error like others, and comes in time. Thread-safe. NaN and infinite samples are passed on:
+/// makeExemplar refuses them.
 [[nodiscard]] Result<LoadedImage> loadImage(const std::filesystem::path& path,
+                                            const LoadOptions& options = {});
+
+/// The same for the content of a file; name is for messages.
+[[nodiscard]] Result<LoadedImage> loadImage(std::span<const std::uint8_t> content,
+                                            const std::filesystem::path& name,
                                             const LoadOptions& options = {});
 
 /// Starts the helper in which loadImage decodes, so that the first picture need not wait for it.

@@ -48,7 +48,8 @@ Error failed(const Path& path, DecodeFailure failure) {
                 "; the file is damaged, or made to do harm"};
 }
 
-Result<LoadedImage> decode(const FileBytes& file, const Path& path, const LoadOptions& options) {
+Result<LoadedImage>
+decodeWithIdle(const FileBytes& file, const Path& path, const LoadOptions& options) {
     auto decoder = idleDecoders().take();
     const bool fresh = !decoder;
     if (fresh) {
@@ -61,13 +62,24 @@ Result<LoadedImage> decode(const FileBytes& file, const Path& path, const LoadOp
     if (const auto* failure = std::get_if<DecodeFailure>(&answer)) {
         // One that waited may have ended for a reason of its own, such as want of memory.
         if (!fresh && *failure == DecodeFailure::Died)
-            return decode(file, path, options);
+            return decodeWithIdle(file, path, options);
         return failed(path, *failure);
     }
     idleDecoders().give(*std::move(decoder));
     if (auto* error = std::get_if<Error>(&answer))
         return std::move(*error);
     return std::move(std::get<LoadedImage>(answer));
+}
+
+Result<LoadedImage>
+decode(const Result<FileBytes>& file, const Path& path, const LoadOptions& options) {
+    if (!file)
+        return file.error();
+    try {
+        return decodeWithIdle(*file, path, options);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::TooLarge, "there is not enough memory to read " + quoted(path)};
+    }
 }
 
 } // namespace
@@ -80,14 +92,12 @@ void startImageReading() {
 }
 
 Result<LoadedImage> loadImage(const Path& path, const LoadOptions& options) {
-    const auto file = FileBytes::open(path);
-    if (!file)
-        return file.error();
-    try {
-        return decode(*file, path, options);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::TooLarge, "there is not enough memory to read " + quoted(path)};
-    }
+    return decode(FileBytes::open(path), path, options);
+}
+
+Result<LoadedImage>
+loadImage(std::span<const std::uint8_t> content, const Path& name, const LoadOptions& options) {
+    return decode(FileBytes::holding(content, name), name, options);
 }
 
 } // namespace txn

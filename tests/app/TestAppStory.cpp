@@ -15,6 +15,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <QSpinBox>
 
 using namespace txn;
@@ -175,6 +176,37 @@ class TestAppStory : public QObject {
             question->button(QMessageBox::Discard)->click();
             QTRY_VERIFY(!studio.window().isVisible());
         }
+    }
+
+    /// Pictures beyond the budget are opened when the user insists, and only then.
+    void veryLargePicturesAreAskedAbout() {
+        Studio studio;
+        QVERIFY(studio.openSmall());
+        QSettings(studio.path("settings.ini"), QSettings::IniFormat)
+            .setValue("open/pictureBudget", 320 * 240 * 3 - 1);
+        const QString photo = writePhoto(studio.path("beach.png"));
+        const auto answer = [&](bool openIt) {
+            QTRY_VERIFY(studio.find<QMessageBox>("largePictureQuestion") != nullptr);
+            auto* question = studio.find<QMessageBox>("largePictureQuestion");
+            QVERIFY(question->text().contains("beach.png"));
+            for (QAbstractButton* button : question->buttons()) {
+                if ((question->buttonRole(button) == QMessageBox::AcceptRole) == openIt) {
+                    button->click();
+                    break;
+                }
+            }
+            QTRY_VERIFY(studio.find<QMessageBox>("largePictureQuestion") == nullptr);
+            QVERIFY(studio.settle());
+        };
+        studio.window().files().open(photo);
+        answer(false);
+        QCOMPARE(studio.project().source->sample(), "rust");
+        studio.window().files().open(photo);
+        answer(true);
+        QCOMPARE(studio.project().source->name(), "beach.png");
+        studio.window().files().openSecond({photo});
+        answer(true);
+        QCOMPARE(studio.project().mix.source->name(), "beach.png");
     }
 
   private:

@@ -377,6 +377,8 @@ void TestBadInput::wrongUsage_data() {
         {"_", 2, "texton"},
         {"--frobnicate", 2, "--frobnicate"},
         {"compute good.png", 2, "--output"},
+        {"compute good.png --max-samples 100 -o new.exr", 1, "allow more with --max-samples"},
+        {"compute good.png --max-samples -1 -o new.exr", 2, "--max-samples"},
         {"compute good.png -o old.exr --frobnicate", 2, "--frobnicate"},
         {"compute good.png -o old.exr --support", 2, "--support"},
         {"gaussian good.png -o old.png -o new.png", 2, "--output"},
