@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/HeadlessContext.h"
 
+#include <algorithm>
 #include <array>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -13,74 +14,84 @@ namespace txn {
 struct HeadlessContext::Native {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
+    EGLSurface surface = EGL_NO_SURFACE; ///< only where a context needs one; nothing is drawn there
 
     Native() = default;
     Native(const Native&) = delete;
     Native& operator=(const Native&) = delete;
     ~Native() {
-        if (context == EGL_NO_CONTEXT)
-            return;
-        if (eglGetCurrentContext() == context)
-            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroyContext(display, context);
+        if (context != EGL_NO_CONTEXT) {
+            if (eglGetCurrentContext() == context)
+                eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            eglDestroyContext(display, context);
+        }
+        if (surface != EGL_NO_SURFACE)
+            eglDestroySurface(display, surface);
     }
+    /// Makes an OpenGL 3.3 core context on an initialised display, and makes it current.
+    bool open(EGLDisplay on, bool surfaceless);
     bool makeCurrent() const {
-        return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
+        return eglMakeCurrent(display, surface, surface, context) == EGL_TRUE;
     }
 };
 
 namespace {
 
+/// Whether a list, separated by spaces, holds a name.
 bool listed(const char* extensions, std::string_view name) {
-    return extensions != nullptr &&
-           std::string_view(extensions).find(name) != std::string_view::npos;
+    std::string_view rest = extensions != nullptr ? extensions : "";
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (rest.substr(0, end) == name)
+            return true;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return false;
 }
 
-/// Graphics cards first, then Mesa without a card, then whatever the system thinks best.
+/// Graphics cards first, then Mesa without a card, then whatever the system thinks best. A function
+/// that the system's EGL lacks must not be called.
 std::vector<EGLDisplay> displays() {
     std::vector<EGLDisplay> found;
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (listed(extensions, "EGL_EXT_platform_device") &&
-        (listed(extensions, "EGL_EXT_device_enumeration") ||
-         listed(extensions, "EGL_EXT_device_base"))) {
-        std::array<EGLDeviceEXT, 16> devices{};
+    const bool platforms = listed(extensions, "EGL_EXT_platform_base");
+    const bool devices = listed(extensions, "EGL_EXT_device_base") ||
+                         (listed(extensions, "EGL_EXT_device_enumeration") &&
+                          listed(extensions, "EGL_EXT_device_query"));
+    if (platforms && devices && listed(extensions, "EGL_EXT_platform_device")) {
+        std::array<EGLDeviceEXT, 16> all{};
         EGLint count = 0;
-        if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+        if (eglQueryDevicesEXT(static_cast<EGLint>(all.size()), all.data(), &count)) {
             for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-                if (!listed(eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS),
+                if (!listed(eglQueryDeviceStringEXT(all[i], EGL_EXTENSIONS),
                             "EGL_MESA_device_software"))
                     found.push_back(
-                        eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+                        eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, all[i], nullptr));
             }
         }
     }
-    if (listed(extensions, "EGL_MESA_platform_surfaceless"))
+    if (platforms && listed(extensions, "EGL_MESA_platform_surfaceless"))
         found.push_back(
             eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     found.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
     return found;
 }
 
-/// An OpenGL 3.3 core context on the display, or none.
-EGLContext openGl(EGLDisplay display) {
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
-        !eglBindAPI(EGL_OPENGL_API))
-        return EGL_NO_CONTEXT;
-    const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
-    if (!listed(extensions, "EGL_KHR_surfaceless_context"))
-        return EGL_NO_CONTEXT;
-    EGLConfig config = EGL_NO_CONFIG_KHR;
-    if (!listed(extensions, "EGL_KHR_no_config_context") &&
-        !listed(extensions, "EGL_MESA_configless_context")) {
-        constexpr std::array<EGLint, 5> kAny{EGL_RENDERABLE_TYPE,
-                                             EGL_OPENGL_BIT,
-                                             EGL_SURFACE_TYPE,
-                                             0,
-                                             EGL_NONE};
-        EGLint count = 0;
-        if (!eglChooseConfig(display, kAny.data(), &config, 1, &count) || count == 0)
-            return EGL_NO_CONTEXT;
-    }
+/// A configuration for OpenGL whose surfaces can be of those types, or none.
+EGLConfig configuration(EGLDisplay display, EGLint surfaceTypes) {
+    const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE,
+                                       EGL_OPENGL_BIT,
+                                       EGL_SURFACE_TYPE,
+                                       surfaceTypes,
+                                       EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    return eglChooseConfig(display, wanted.data(), &config, 1, &count) && count > 0 ? config
+                                                                                    : nullptr;
+}
+
+/// An OpenGL 3.3 core context, or none.
+EGLContext coreContext(EGLDisplay display, EGLConfig config) {
     // With notification a driver that was reset says so; without, isLost() never does.
     constexpr std::array<EGLint, 9> kCore{EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
                                           EGL_LOSE_CONTEXT_ON_RESET,
@@ -99,6 +110,29 @@ EGLContext openGl(EGLDisplay display) {
 
 } // namespace
 
+bool HeadlessContext::Native::open(EGLDisplay on, bool surfaceless) {
+    display = on;
+    const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
+    if (surfaceless && !listed(extensions, "EGL_KHR_surfaceless_context"))
+        return false;
+    const bool needsConfig = !surfaceless || (!listed(extensions, "EGL_KHR_no_config_context") &&
+                                              !listed(extensions, "EGL_MESA_configless_context"));
+    EGLConfig config = EGL_NO_CONFIG_KHR;
+    if (needsConfig) {
+        config = configuration(display, surfaceless ? 0 : EGL_PBUFFER_BIT);
+        if (config == nullptr)
+            return false;
+    }
+    if (!surfaceless) {
+        constexpr std::array<EGLint, 5> kPixel{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+        surface = eglCreatePbufferSurface(display, config, kPixel.data());
+        if (surface == EGL_NO_SURFACE)
+            return false;
+    }
+    context = coreContext(display, config);
+    return context != EGL_NO_CONTEXT && makeCurrent();
+}
+
 HeadlessContext::HeadlessContext(std::unique_ptr<Native> native, GlContext gl)
     : m_native(std::move(native)), m_gl(std::make_unique<GlContext>(std::move(gl))) {}
 HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
@@ -109,15 +143,19 @@ Result<HeadlessContext> HeadlessContext::create() {
     std::string reason = "no OpenGL 3.3 was found";
     if (epoxy_has_egl()) {
         for (EGLDisplay display : displays()) {
-            auto native = std::make_unique<Native>();
-            native->display = display;
-            native->context = openGl(display);
-            if (native->context == EGL_NO_CONTEXT || !native->makeCurrent())
+            if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
+                !eglBindAPI(EGL_OPENGL_API))
                 continue;
-            auto gl = GlContext::current();
-            if (gl)
-                return HeadlessContext(std::move(native), std::move(*gl));
-            reason = gl.error().message;
+            // Some drivers draw only with a surface at hand, though they may promise otherwise.
+            for (const bool surfaceless : {true, false}) {
+                auto native = std::make_unique<Native>();
+                if (!native->open(display, surfaceless))
+                    continue;
+                auto gl = GlContext::current();
+                if (gl)
+                    return HeadlessContext(std::move(native), std::move(*gl));
+                reason = gl.error().message;
+            }
         }
     }
     return Error{ErrorCode::Unsupported,

@@ -7,8 +7,8 @@
 
 namespace txn {
 
-/// An OpenGL 3.3 core context without any window system, through EGL: a graphics card if one
-/// answers, the processor (surfaceless Mesa) otherwise. For tests, benchmarks and the command line.
+/// An OpenGL 3.3 core context without any window system, through EGL: the first graphics card that
+/// has one, the processor (surfaceless Mesa) otherwise. For tests, benchmarks and the command line.
 /// It is current on the thread that made it, and to be used and destroyed there. Move-only.
 class HeadlessContext {
   public:
