@@ -133,16 +133,32 @@ void appendTexel(std::vector<float>& texels, std::span<const float> values) {
         texels.push_back(values[values.size() == 1 ? 0 : std::min(c, values.size() - 1)]);
 }
 
-/// The tables of all textons side by side.
+/// What filter.glsl looks up: the table of a texton. Of several, r from 0 to 1 along them, those of
+/// f(0), f(1) - f(0) and d, where f(r) = f(0) + r (f(1) - f(0)) + r (1 - r) d goes through the
+/// first, one in the middle and the last of them.
+std::vector<FilterFade> fadeTables(std::span<const Texton> textons) {
+    FilterFade first = filterFade(textons.front());
+    if (textons.size() == 1)
+        return {std::move(first)};
+    FilterFade slope = filterFade(textons.back());
+    const std::size_t middle = textons.size() / 2;
+    const float r = static_cast<float>(middle) / static_cast<float>(textons.size() - 1);
+    FilterFade bend = filterFade(textons[middle]);
+    for (std::size_t i = 0; i < first.ratios.size(); ++i) {
+        slope.ratios[i] -= first.ratios[i];
+        const float line = first.ratios[i] + r * slope.ratios[i];
+        bend.ratios[i] = r < 1.0F ? (bend.ratios[i] - line) / (r * (1.0F - r)) : 0.0F;
+    }
+    return {std::move(first), std::move(slope), std::move(bend)};
+}
+
+/// The tables side by side.
 GlHandle fadeTexture(const GlContext& context, std::span<const Texton> textons) {
-    std::vector<FilterFade> fades;
-    fades.reserve(textons.size());
-    for (const Texton& texton : textons)
-        fades.push_back(filterFade(texton));
+    const std::vector<FilterFade> fades = fadeTables(textons);
     const auto channels = static_cast<std::size_t>(fades.front().channels);
     const std::size_t row = FilterFade::kMajor * channels;
     std::vector<float> texels;
-    texels.reserve(textons.size() * fades.front().ratios.size() / channels * 4);
+    texels.reserve(fades.size() * fades.front().ratios.size() / channels * 4);
     for (std::size_t start = 0; start < fades.front().ratios.size(); start += row) {
         for (const FilterFade& fade : fades) {
             for (std::size_t i = start; i < start + row; i += channels)
@@ -154,7 +170,7 @@ GlHandle fadeTexture(const GlContext& context, std::span<const Texton> textons) 
     glTexImage3D(GL_TEXTURE_3D,
                  0,
                  GL_RGBA32F,
-                 FilterFade::kMajor * static_cast<GLsizei>(textons.size()),
+                 FilterFade::kMajor * static_cast<GLsizei>(fades.size()),
                  FilterFade::kMinor,
                  FilterFade::kAngles,
                  0,

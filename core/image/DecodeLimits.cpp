@@ -26,10 +26,11 @@ constexpr std::uint64_t kBytesASample = 20;
 constexpr int kThreads = 4;
 
 #ifdef TXN_SANITIZED
-constexpr int kPatience = 5; // its checks cost that much
+constexpr bool kSanitized = true;
 #else
-constexpr int kPatience = 1;
+constexpr bool kSanitized = false;
 #endif
+constexpr int kPatience = kSanitized ? 5 : 1; // its checks cost that much
 
 void bound(__rlimit_resource resource, rlim_t soft) {
     rlimit limit{};
@@ -75,9 +76,8 @@ void limitDecoding(std::uint64_t fileBytes, std::uint64_t samples) {
     const auto seconds =
         static_cast<std::uint64_t>(decodingTime(fileBytes, samples).count()) / 1000;
     bound(RLIMIT_CPU, secondsUsed() + kThreads * (seconds + 1));
-#ifndef TXN_SANITIZED // which reserves terabytes of address space
-    bound(RLIMIT_AS, bytesInUse() + kOwnBytes + fileBytes + kBytesASample * samples);
-#endif
+    if (!kSanitized) // which reserves terabytes of address space
+        bound(RLIMIT_AS, bytesInUse() + kOwnBytes + fileBytes + kBytesASample * samples);
 }
 
 void giveUpRights() {
@@ -93,14 +93,12 @@ void giveUpRights() {
     if (nowhere >= 0) {
         ::dup2(nowhere, STDIN_FILENO);
         ::dup2(nowhere, STDOUT_FILENO);
-#ifndef TXN_SANITIZED // whose reports should be seen
-        ::dup2(nowhere, STDERR_FILENO);
-#endif
+        if (!kSanitized) // whose reports should be seen
+            ::dup2(nowhere, STDERR_FILENO);
         ::close(nowhere);
     }
-#ifndef TXN_SANITIZED // whose search for leaks needs some of it
-    forbidHarmfulSystemCalls();
-#endif
+    if (!kSanitized) // whose search for leaks needs some of them
+        forbidHarmfulSystemCalls();
     const int threads =
         std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kThreads);
     OIIO::attribute("threads", threads);

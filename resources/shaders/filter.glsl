@@ -11,7 +11,11 @@ struct TxnPixel {
     vec2 dy;
     vec2 before; // how far outside its footprint a filtered kernel reaches, to the left and up
     vec2 after;  // and to the right and down
-    vec4 fade;   // by what the fluctuation has to be scaled; of a mixture: see txnFadeOf
+    vec4 fade;   // by what the fluctuation has to be scaled
+#ifdef TXN_MIXED
+    vec4 fadeSlope; // of a mixture, at r along its textons: fade + r fadeSlope + r (1 - r) fadeBend
+    vec4 fadeBend;
+#endif
     vec2 axis;   // of the ellipse, the longer one, as long as the pixel is there
     float level;
     int fetches;
@@ -22,7 +26,7 @@ uniform vec2 txnFootprint; // in exemplar pixels
 #if TXN_FILTER
 uniform float txnReach;     // the longer side of the footprint
 uniform float txnStart;     // where in the footprint the texture of a kernel begins
-uniform sampler3D txnFades; // see FilterFade.h; of several textons, side by side
+uniform sampler3D txnFades; // see FilterFade.h; of a mixture: of its three terms, side by side
 
 // Beyond one footprint the filter grows no further, since the number of impulses to look at would,
 // too; what is still to be averaged only makes the fluctuation fainter, by a factor known from the
@@ -40,20 +44,20 @@ vec4 txnFadePlace(float a, float b, float angle) {
                 exp2(-0.5 * (beyond.x + beyond.y)));
 }
 
-vec4 txnFadeAt(int texton, vec4 place) {
+vec4 txnFadeAt(int table, vec4 place, vec4 unchanged) {
     if (place.w == 0.0)
-        return vec4(1.0);
-    float x = float(texton * TXN_FADE_MAJOR) + place.x;
+        return unchanged;
+    float x = float(table * TXN_FADE_MAJOR) + place.x;
     return textureLod(txnFades, vec3(x / float(textureSize(txnFades, 0).x), place.yz), 0.0) *
            place.w;
 }
 
-vec4 txnFade(float a, float b, float angle) {
+void txnSetFade(inout TxnPixel pixel, float a, float b, float angle) {
     vec4 place = txnFadePlace(a, b, angle);
+    pixel.fade = txnFadeAt(0, place, vec4(1.0));
 #ifdef TXN_MIXED
-    return place;
-#else
-    return txnFadeAt(0, place);
+    pixel.fadeSlope = txnFadeAt(1, place, vec4(0.0));
+    pixel.fadeBend = txnFadeAt(2, place, vec4(0.0));
 #endif
 }
 
@@ -62,8 +66,17 @@ uniform vec2 txnBefore;
 uniform vec2 txnAfter;
 
 TxnPixel txnPixel(vec2 dx, vec2 dy) {
+    TxnPixel pixel;
+    pixel.dx = dx;
+    pixel.dy = dy;
+    pixel.before = txnBefore;
+    pixel.after = txnAfter;
+    pixel.fade = vec4(1.0);
+#if TXN_FADES
     float side = length(dx);
-    return TxnPixel(dx, dy, txnBefore, txnAfter, txnFade(side, side, 0.0), vec2(0.0), 0.0, 1);
+    txnSetFade(pixel, side, side, 0.0);
+#endif
+    return pixel;
 }
 #else
 uniform float txnAnisotropy;   // longest to shortest side that is filtered; 1: mipmaps only
@@ -84,7 +97,7 @@ TxnPixel txnPixel(vec2 dx, vec2 dy) {
     float b = min(a, abs(dx.x * dy.y - dx.y * dy.x) / a);
     // A circle has no longer axis, and atan(0, 0) no value.
     float angle = radius > 0.0 ? 0.5 * atan(2.0 * xy, xx - yy) : 0.0;
-    pixel.fade = txnFade(a, b, angle);
+    txnSetFade(pixel, a, b, angle);
     a = min(a, txnReach);
     b = min(b, txnReach);
     pixel.dx = dx * min(1.0, txnReach / max(length(dx), 1e-6));
@@ -110,17 +123,12 @@ TxnPixel txnPixel(vec2 dx, vec2 dy) {
 #endif
 #else
 TxnPixel txnPixel(vec2 dx, vec2 dy) {
-    return TxnPixel(dx, dy, vec2(0.0), vec2(0.0), vec4(1.0), vec2(0.0), 0.0, 1);
-}
-#endif
-
-#ifdef TXN_MIXED
-// By what an impulse of one of the textons has to be scaled.
-vec4 txnFadeOf(int texton, TxnPixel pixel) {
-#if TXN_FADES
-    return txnFadeAt(texton, pixel.fade);
-#else
-    return vec4(1.0);
-#endif
+    TxnPixel pixel;
+    pixel.dx = dx;
+    pixel.dy = dy;
+    pixel.before = vec2(0.0);
+    pixel.after = vec2(0.0);
+    pixel.fade = vec4(1.0);
+    return pixel;
 }
 #endif

@@ -51,14 +51,54 @@ vec2 txnOnMap(vec2 texel, vec2 first, vec2 size) {
 #endif
 }
 
-// Which texton an impulse takes. choice: 10 random bits; places between two textons take either of
-// them by chance, in proportion.
-int txnTextonAt(ivec2 cell, vec2 place, uint choice) {
+// Where a pixel's cell lies on txnMap: found once for all impulses that the pixel sees.
+struct TxnMapPlace {
+    vec2 texel;
     vec2 rest;
-    vec2 texel = txnTexelOf(txnMapGrid, cell, place, rest);
-    texel = txnOnMap(texel, vec2(0.0), vec2(textureSize(txnMap, 0)));
+    vec2 along; // texels along a cell
+    vec2 size;
+};
+
+TxnMapPlace txnMapPlace(ivec2 cell) {
+    TxnMapPlace at;
+    at.texel = txnTexelOf(txnMapGrid, cell, vec2(0.0), at.rest);
+    at.along = txnMapGrid.high + txnMapGrid.low;
+    at.size = vec2(textureSize(txnMap, 0));
+    return at;
+}
+
+// Which texton an impulse takes. from: where it was dropped, in cells from the corner of the pixel's
+// cell; choice: 10 random bits. Places between two textons take either of them by chance, in
+// proportion.
+int txnTextonAt(TxnMapPlace at, vec2 from, uint choice) {
+    vec2 texel = txnOnMap(at.texel + floor(at.rest + from * at.along), vec2(0.0), at.size);
     uint position = texelFetch(txnMap, ivec2(texel), 0).r;
-    return int(position >> 10u) + int(choice < (position & 1023u));
+    return int((position + 1023u - choice) >> 10u);
+}
+
+// Impulses of all textons. With TXN_FADES each is to be made as much fainter as its texton asks for:
+// for that, r from 0 to 1 along the textons, their sums weighed by r and r (1 - r) are enough.
+struct TxnMixedSum {
+    vec4 all;
+    vec4 along;
+    vec4 bent;
+};
+
+void txnAdd(inout TxnMixedSum sum, int texton, vec4 value) {
+    sum.all += value;
+#if TXN_FADES
+    float r = float(texton) / float(textureSize(txnMeans, 0).x - 1);
+    sum.along += r * value;
+    sum.bent += r * (1.0 - r) * value;
+#endif
+}
+
+vec4 txnFaded(TxnMixedSum sum, TxnPixel pixel) {
+#if TXN_FADES
+    return pixel.fade * sum.all + pixel.fadeSlope * sum.along + pixel.fadeBend * sum.bent;
+#else
+    return sum.all;
+#endif
 }
 
 // Weights of four neighbours in a cubic B-spline, t beyond the second of them.

@@ -41,7 +41,12 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
     ivec3 last = ivec3(floor(place + reach));
     // A cell may hold such an impulse if its centre lies in this larger box.
     vec3 wide = box + 0.5 * (vec3(1.0) * mat3(abs(frame[0]), abs(frame[1]), abs(frame[2])));
+#ifdef TXN_MIXED
+    TxnMapPlace onMap = txnMapPlace(cell.xy);
+    TxnMixedSum sum = TxnMixedSum(vec4(0.0), vec4(0.0), vec4(0.0));
+#else
     vec4 sum = vec4(0.0);
+#endif
     for (int k = first.z; k <= last.z; ++k) {
         for (int j = first.y; j <= last.y; ++j) {
             vec3 start = (vec3(0.5, vec2(j, k) + 0.5) - place) * frame;
@@ -66,9 +71,10 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
                         if (TXN_PROCESS != 2 && (h.w >> 31u) != 0u)
                             weight = -weight;
 #ifdef TXN_MIXED
-                        int texton = txnTextonAt(hashed.xy, waiting.xy, (h.w >> 5u) & 0x3ffu);
-                        sum += weight * txnFadeOf(texton, pixel) *
-                               txnKernel(texton * txnKernelCount + kernel, y, pixel);
+                        int texton =
+                            txnTextonAt(onMap, vec2(i, j) + waiting.xy, (h.w >> 5u) & 0x3ffu);
+                        kernel += texton * txnKernelCount;
+                        txnAdd(sum, texton, weight * txnKernel(kernel, y, pixel));
 #else
                         sum += weight * txnKernel(kernel, y, pixel);
 #endif
@@ -78,7 +84,7 @@ vec4 surfaceNoise(ivec3 cell, vec3 place, mat3 frame, vec2 dx, vec2 dy) {
         }
     }
 #ifdef TXN_MIXED
-    return txnMean(cell.xy, place.xy, dx, dy) + txnGain * sum;
+    return txnMean(cell.xy, place.xy, dx, dy) + txnGain * txnFaded(sum, pixel);
 #else
     return txnOffset + txnGain * pixel.fade * sum;
 #endif

@@ -22,7 +22,12 @@ vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
     TxnPixel pixel = txnPixel(dx, dy);
     ivec2 first = ivec2(floor(place - (txnFootprint + pixel.after) / txnCell));
     ivec2 last = ivec2(floor(place + pixel.before / txnCell));
+#ifdef TXN_MIXED
+    TxnMapPlace onMap = txnMapPlace(cell);
+    TxnMixedSum sum = TxnMixedSum(vec4(0.0), vec4(0.0), vec4(0.0));
+#else
     vec4 sum = vec4(0.0);
+#endif
     // There is a cell at least. Where the processor draws, a loop whose end is tested first is gone
     // through once more than needed.
     int j = first.y;
@@ -43,21 +48,21 @@ vec4 textonNoise(ivec2 cell, vec2 place, vec2 dx, vec2 dy) {
                 if (all(greaterThanEqual(y, -pixel.before)) &&
                     all(lessThan(y, txnFootprint + pixel.after))) {
                     int kernel = int(((h.w >> 16u) * uint(txnKernelCount)) >> 16u);
+                    float weight = TXN_PROCESS != 2 && (h.z >> 31u) != 0u ? -1.0 : 1.0;
 #ifdef TXN_MIXED
                     int texton =
-                        txnTextonAt(cell + ivec2(i, j), dropped, (h.w & 0xffffu) >> 6u);
-                    vec4 value = txnFadeOf(texton, pixel) *
-                                 txnKernel(texton * txnKernelCount + kernel, y, pixel);
+                        txnTextonAt(onMap, vec2(i, j) + dropped, (h.w & 0xffffu) >> 6u);
+                    kernel += texton * txnKernelCount;
+                    txnAdd(sum, texton, weight * txnKernel(kernel, y, pixel));
 #else
-                    vec4 value = txnKernel(kernel, y, pixel);
+                    sum += weight * txnKernel(kernel, y, pixel);
 #endif
-                    sum += TXN_PROCESS != 2 && (h.z >> 31u) != 0u ? -value : value;
                 }
             }
         } while (++i <= last.x);
     } while (++j <= last.y);
 #ifdef TXN_MIXED
-    return txnMean(cell, place, dx, dy) + txnGain * sum;
+    return txnMean(cell, place, dx, dy) + txnGain * txnFaded(sum, pixel);
 #else
     return txnOffset + txnGain * pixel.fade * sum;
 #endif

@@ -410,7 +410,7 @@ class TestDecoder : public QObject {
         row("closes at once", DecodeFailure::Died, close);
         row("says nothing", DecodeFailure::TooSlow, [](FakeDecoder&) {});
         row("speaks in tongues", DecodeFailure::Nonsense, [](FakeDecoder& fake) {
-            QVERIFY(fake.messages.send({1, 2, 3}));
+            QVERIFY(fake.messages.send(Message(3, 1)));
         });
         row("sends an endless message", DecodeFailure::Died, [](FakeDecoder& fake) {
             QVERIFY(fake.messages.send(Message(kMaxMessageBytes + 1)));
@@ -429,7 +429,7 @@ class TestDecoder : public QObject {
         row("dies amid the samples", DecodeFailure::Died, [=](FakeDecoder& fake) {
             QVERIFY(fake.messages.send(done(describe(picture))));
             Message bytes = pictureBytes(picture);
-            bytes.resize(bytes.size() - 2);
+            bytes.pop_back();
             fake.write(bytes);
             close(fake);
         });
