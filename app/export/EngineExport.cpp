@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/EngineExport.h"
 
+#include "core/base/PlainText.h"
 #include "core/noise/Normalization.h"
 #include "gl/NoiseUniforms.h"
 #include "gl/ShaderLibrary.h"
@@ -180,8 +181,13 @@ Result<std::string> engineExample(const Texton& texton, const std::string& name)
     if (!file.open(QIODevice::ReadOnly))
         return Error{ErrorCode::NotFound, "the program's own example is missing; please reinstall"};
     std::string text = file.readAll().toStdString();
+    const std::string plain = inOneLine(name);
+    // Into a command that people copy: for the shell, as one word.
+    std::string word = "./" + plain + "_example.cpp"; // never an option
+    replaceAll(word, "'", "'\\''");
+    replaceAll(text, "@FILE@", "'" + word + "'");
     // Into string literals of C++.
-    std::string escaped = name;
+    std::string escaped = plain;
     replaceAll(escaped, "\\", "\\\\");
     replaceAll(escaped, "\"", "\\\"");
     replaceAll(text, "@NAME@", escaped);

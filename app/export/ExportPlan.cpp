@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/ExportPlan.h"
 
+#include "core/base/PlainText.h"
+
 #include <QDir>
 
 namespace txn::app {
@@ -24,9 +26,10 @@ QString sizeWord(Size size) {
                                      : QStringLiteral("%1x%2").arg(size.width).arg(size.height);
 }
 
-QString safe(QString name) {
+QString safe(const QString& wanted) {
+    QString name = QString::fromStdString(inOneLine(wanted.toStdString()));
     for (QChar& c : name) {
-        if (c.unicode() < 0x20 || c.unicode() == 0x7f || QStringLiteral("/\\:*?\"<>|").contains(c))
+        if (QStringLiteral("/\\:*?\"<>|").contains(c))
             c = QLatin1Char('_');
     }
     while (name.startsWith(QLatin1Char('.')) || name.startsWith(QLatin1Char(' ')))

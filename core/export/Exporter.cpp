@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/Exporter.h"
 
+#include "core/base/PlainText.h"
 #include "core/export/Coefficients.h"
 #include "core/export/TextonFile.h"
 #include "core/gaussian/Exemplar.h"
@@ -30,7 +31,7 @@ Error inFile(const std::string& verb, const fs::path& path, const Error& error) 
 
 /// JSON text; file names in it may hold bytes that are not UTF-8.
 std::string asText(const Json& json, int indent = -1) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+    return withEscapedControls(json.dump(indent, ' ', false, Json::error_handler_t::replace));
 }
 
 Result<TextonFormat> formatForPath(const fs::path& path) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/MixtureExport.h"
 
+#include "core/base/PlainText.h"
 #include "core/base/Version.h"
 #include "core/export/Coefficients.h"
 #include "core/export/Exporter.h"
@@ -137,7 +138,8 @@ Result<std::vector<fs::path>> saveMixture(const MixtureAsset& asset, const fs::p
     if (const auto ok = addArray(asset, folder / kArrayFile, files); !ok)
         return ok.error();
     const std::string text =
-        describe(asset).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        withEscapedControls(describe(asset).dump(2, ' ', false, Json::error_handler_t::replace)) +
+        "\n";
     if (const auto ok = files.addText(folder / kDescriptionFile, text); !ok)
         return ok.error();
     if (const auto ok = addMixingMap(asset.mixture.map, folder / kMapFile, files); !ok)

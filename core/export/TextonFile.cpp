@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/TextonFile.h"
 
+#include "core/base/PlainText.h"
 #include "core/base/Version.h"
 #include "core/gaussian/Exemplar.h"
 #include "core/spectral/BSpline.h"
@@ -101,10 +102,8 @@ Result<std::string> toTextonFile(const TextonAsset& asset) {
             }
         }
     }
-    std::string name = asset.exemplarName;
-    for (char& c : name)
-        c = static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    text += "Texton of " + name + ", made by Texton Studio " + kProgramVersion + "\n";
+    text += "Texton of " + inOneLine(asset.exemplarName) + ", made by Texton Studio " +
+            kProgramVersion + "\n";
     return text;
 }
 

@@ -107,15 +107,53 @@ class TestExport : public QObject {
                                  "...",
                                  "a\nb",
                                  "{size}{name}",
-                                 "con*?\"<>|"}) {
+                                 "con*?\"<>|",
+                                 "gpj\u202e.exe",
+                                 "a\u2028b\u0085c\u2067d"}) {
             snapshot.name = QString::fromUtf8(name);
             const QString made = exportName(plan, snapshot);
             QVERIFY(!made.isEmpty() && !made.startsWith('.') && !made.contains('/') &&
                     !made.contains('\\'));
             QVERIFY(!made.contains('\n') && !made.contains('*') && made.size() <= 120);
+            for (const char16_t control : {u'\u202e', u'\u2028', u'\u0085', u'\u2067'})
+                QVERIFY(!made.contains(QChar(control)));
         }
         snapshot.name = QString(5000, 'x');
         QVERIFY(exportName(plan, snapshot).size() <= 120);
+    }
+
+    /// The name stands in a comment, in a command to copy and in strings: it ends none of them.
+    void theExampleIsHarmlessUnderAnyName() {
+        const std::string hostile = "a\nint evil;\r*/ \"\\'; $(touch x) `x` \u202e\u2028 end";
+        const auto text = engineExample(quietTexton(), hostile);
+        TXN_OK(text);
+        const auto plain = engineExample(quietTexton(), "plain");
+        TXN_OK(plain);
+        QCOMPARE(std::count(text->begin(), text->end(), '\n'),
+                 std::count(plain->begin(), plain->end(), '\n'));
+        QVERIFY(text->find('\r') == std::string::npos);
+        QVERIFY(text->find("\u202e") == std::string::npos);
+        QVERIFY(text->find("\u2028") == std::string::npos);
+        // For the shell the name is one word, and the words before and after are as they were.
+        const auto command = [](const std::string& example) {
+            const auto start = example.find("c++ ");
+            return example.substr(start, example.find(" -o example", start) - start);
+        };
+        QProcess shell;
+        shell.start("sh", {"-c", QString::fromStdString("printf '[%s]' " + command(*text))});
+        QVERIFY(shell.waitForFinished());
+        QCOMPARE(
+            QString::fromUtf8(shell.readAllStandardOutput()),
+            QStringLiteral("[c++][./a int evil; */ \"\\'; $(touch x) `x`    end_example.cpp]"));
+        // And a compiler takes all of it.
+        QFile file(m_folder.filePath("hostile.cpp"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text->c_str()) > 0);
+        file.close();
+        QProcess compiler;
+        compiler.start("c++", {"-fsyntax-only", file.fileName()});
+        QVERIFY(compiler.waitForFinished(60000));
+        QCOMPARE(compiler.readAllStandardError(), QByteArray());
+        QCOMPARE(compiler.exitCode(), 0);
     }
 
     void theFilesAreThoseOfThePreview_data() {

@@ -292,6 +292,27 @@ class TestTextonFiles : public QObject {
         TXN_OK(fromTextonFile(*text));
     }
 
+    void namesDoNotTurnTextAround() {
+        TextonAsset asset = assetOf(makeTexton({}));
+        for (const char* control :
+             {"\u202e", "\u2066", "\u200f", "\u061c", "\u2028", "\u0085", "\x7f"}) {
+            asset.exemplarName = std::string("st\u00f6ne \U0001f9f1") + control + "*/ \"gpj\"";
+            const auto text = toTextonFile(asset);
+            TXN_OK(text);
+            QVERIFY(text->find(control) == std::string::npos);
+            QVERIFY(text->find("st\u00f6ne \U0001f9f1 */") != std::string::npos);
+            // In JSON it stays what it is, but escaped.
+            const fs::path path = m_path / "turned.exr";
+            TXN_OK(save(asset, path));
+            std::ifstream stream(path.string() + ".json", std::ios::binary);
+            const std::string json{std::istreambuf_iterator<char>(stream), {}};
+            QVERIFY(json.find(control) == std::string::npos);
+            const auto again = loadTexton(path);
+            TXN_OK(again);
+            QCOMPARE(again->exemplarName, asset.exemplarName);
+        }
+    }
+
     void handWrittenTextIsRead() {
         const auto asset = fromTextonFile(kHandWritten);
         TXN_OK(asset);
