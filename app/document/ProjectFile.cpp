@@ -77,6 +77,15 @@ QCborValue textonValue(const TextonAsset& asset) {
     return map;
 }
 
+/// From the folder to the file. Empty where there is no way but over the root: that would tell of
+/// the machine what an absolute path does.
+QString relativeLink(const QString& folder, const QString& file) {
+    const QString link = QDir(folder).relativeFilePath(file);
+    const auto depth = QDir::cleanPath(folder).split(QLatin1Char('/'), Qt::SkipEmptyParts).size();
+    const bool overRoot = depth > 0 && link.startsWith(QStringLiteral("../").repeated(depth));
+    return QDir::isAbsolutePath(link) || overRoot ? QString() : link;
+}
+
 QCborMap fileValue(const Source::File& file, ExemplarStorage storage, const QString& folder) {
     QCborMap map;
     map[QStringLiteral("name")] = file.name;
@@ -86,8 +95,8 @@ QCborMap fileValue(const Source::File& file, ExemplarStorage storage, const QStr
     }
     map[QStringLiteral("sha256")] = file.hash;
     // Relative, so that folders can move and nothing is told of the machine.
-    const QString link = QDir(folder).relativeFilePath(file.path);
-    if (storage == ExemplarStorage::Linked && !file.path.isEmpty() && !QDir::isAbsolutePath(link))
+    const QString link = relativeLink(folder, file.path);
+    if (storage == ExemplarStorage::Linked && !file.path.isEmpty() && !link.isEmpty())
         map[QStringLiteral("link")] = link;
     else
         map[QStringLiteral("bytes")] = file.bytes;
@@ -155,10 +164,10 @@ QCborValue noiseValue(const NoiseSettings& noise, const QString& folder) {
                  {QStringLiteral("map"), noise.map},
                  {QStringLiteral("light_azimuth"), noise.light.azimuth},
                  {QStringLiteral("light_elevation"), noise.light.elevation}};
-    const QString link = QDir(folder).relativeFilePath(noise.mesh);
+    const QString link = relativeLink(folder, noise.mesh);
     map[QStringLiteral("mesh")] = builtinMesh(noise.mesh.toStdString()) ? noise.mesh
-                                  : QDir::isAbsolutePath(link)          ? QFileInfo(link).fileName()
-                                                                        : link;
+                                  : link.isEmpty() ? QFileInfo(noise.mesh).fileName()
+                                                   : link;
     return map;
 }
 
@@ -194,6 +203,40 @@ QCborValue viewValue(const ViewState& view) {
     return map;
 }
 
+/// Where a link of a project leads.
+QString linkedFile(const QString& folder, const QString& link) {
+    return QDir::cleanPath(QDir(folder).absoluteFilePath(link));
+}
+
+/// Whether there is such a file, and outside the folder. Symbolic links count for what they point
+/// to.
+bool isOutside(const QString& folder, const QString& file) {
+    const QString real = QFileInfo(file).canonicalFilePath();
+    const QString home = QFileInfo(folder).canonicalFilePath();
+    return !real.isEmpty() &&
+           (home.isEmpty() ||
+            !real.startsWith(home.endsWith(QLatin1Char('/')) ? home : home + QLatin1Char('/')));
+}
+
+/// All files outside the folder that a project would have opened.
+QStringList filesOutside(const CborReader& root, const QString& folder) {
+    QStringList links{root.map("noise").text("mesh")};
+    for (const CborReader& source : {root.map("exemplar"), root.map("mix").map("exemplar")}) {
+        links.append(source.text("link"));
+        for (const auto& map : source.array("maps"))
+            links.append(CborReader(map.toMap()).text("link"));
+    }
+    QStringList outside;
+    for (const QString& link : links) {
+        if (link.isEmpty() || QDir::isAbsolutePath(link)) // which nobody follows
+            continue;
+        if (const QString file = linkedFile(folder, link); isOutside(folder, file))
+            outside.append(file);
+    }
+    outside.removeDuplicates();
+    return outside;
+}
+
 Result<std::shared_ptr<const Source>>
 readFile(const CborReader& reader, const QString& folder, QStringList& warnings) {
     const QString name = reader.text("name");
@@ -204,7 +247,7 @@ readFile(const CborReader& reader, const QString& folder, QStringList& warnings)
     const QString link = reader.text("link");
     if (link.isEmpty() || QDir::isAbsolutePath(link))
         return Error{ErrorCode::Unreadable, "the exemplar is missing"};
-    auto source = openSource(QDir(folder).absoluteFilePath(link));
+    auto source = openSource(linkedFile(folder, link));
     if (source && (*source)->hash() != reader.bytes("sha256"))
         warnings.append(
             Warnings::tr("%1 has changed since the project was saved.").arg((*source)->name()));
@@ -270,7 +313,7 @@ QByteArray encodeProject(const Project& project,
     return QCborValue(QCborKnownTags::Signature, map).toCbor();
 }
 
-Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path) {
+Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path, Links links) {
     const auto damaged = [&](const std::string& reason) {
         return Error{ErrorCode::Unreadable, named(path) + ": " + reason};
     };
@@ -287,6 +330,11 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path)
 
     SavedProject saved;
     const QString folder = QFileInfo(path).absolutePath();
+    if (links == Links::Inside) {
+        saved.outside = filesOutside(root, folder);
+        if (!saved.outside.isEmpty())
+            return saved;
+    }
     if (root.has("exemplar")) {
         auto source = readSource(root.map("exemplar"), folder, saved.warnings);
         if (!source)
@@ -314,11 +362,12 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path)
         return damaged("damaged: a value is out of its range; open another copy of it");
     QString& mesh = saved.project.noise.mesh;
     if (!builtinMesh(mesh.toStdString())) {
-        const QString file = QDir(folder).absoluteFilePath(mesh);
-        if (!QFileInfo(file).isFile())
+        const QString file = QDir::isAbsolutePath(mesh) ? QString() : linkedFile(folder, mesh);
+        const bool there = !file.isEmpty() && QFileInfo(file).isFile();
+        if (!there)
             saved.warnings.append(
                 Warnings::tr("%1 is missing; a sphere takes its place.").arg(mesh));
-        mesh = QFileInfo(file).isFile() ? file : NoiseSettings{}.mesh;
+        mesh = there ? file : NoiseSettings{}.mesh;
     }
     return saved;
 }
@@ -334,13 +383,13 @@ Result<void> saveProject(const Project& project, const ViewState& view, const QS
     return {};
 }
 
-Result<SavedProject> openProject(const QString& path) {
+Result<SavedProject> openProject(const QString& path, Links links) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return Error{file.exists() ? ErrorCode::Unreadable : ErrorCode::NotFound,
                      named(path) + " cannot be read: " + file.errorString().toStdString() +
                          "; please open another copy of it"};
-    return decodeProject(file.readAll(), path);
+    return decodeProject(file.readAll(), path, links);
 }
 
 } // namespace txn::app

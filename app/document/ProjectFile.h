@@ -11,26 +11,35 @@ struct SavedProject {
     Project project;
     ViewState view;
     QStringList warnings; ///< one line each, for the message bar
+    /// Files outside the project's folder that it wants. None of them was touched, and nothing else
+    /// was read: ask, and open it again.
+    QStringList outside;
 };
+
+/// Projects come from anybody. Files outside their folder are opened only when the user agrees.
+enum class Links { Inside, Anywhere };
 
 /// Whether the exemplar's bytes go into the project or only its path and content hash.
 enum class ExemplarStorage { Embedded, Linked };
 
 /// Project files (.txnproj): CBOR (RFC 8949), self-described, a map whose first entry names format
 /// and version; docs/FORMATS.md. They hold data only. The path of a linked exemplar is kept
-/// relative to the project's folder. Any thread; reading decodes the exemplar and may take a while.
+/// relative to the project's folder; where that would spell out the whole path from the root, the
+/// exemplar is embedded all the same, and of a mesh only the name is kept. Any thread; reading
+/// decodes the exemplar and may take a while.
 [[nodiscard]] QByteArray encodeProject(const Project& project,
                                        const ViewState& view,
                                        ExemplarStorage storage,
                                        const QString& projectFolder);
 /// Errors: Unreadable for what is damaged or of a later version, NotFound for a linked exemplar
 /// that has gone; the message names the file.
-[[nodiscard]] Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path);
+[[nodiscard]] Result<SavedProject>
+decodeProject(const QByteArray& bytes, const QString& path, Links links = Links::Inside);
 
 /// Writes aside and renames: the old file or the new one, whole. Embeds the exemplar unless the
 /// project is to be linked.
 [[nodiscard]] Result<void>
 saveProject(const Project& project, const ViewState& view, const QString& path);
-[[nodiscard]] Result<SavedProject> openProject(const QString& path);
+[[nodiscard]] Result<SavedProject> openProject(const QString& path, Links links = Links::Inside);
 
 } // namespace txn::app

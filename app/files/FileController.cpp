@@ -179,17 +179,21 @@ void FileController::openPictureOrTexton(const QString& path, const LoadOptions&
                     });
 }
 
-void FileController::openProjectFile(const QString& path) {
+void FileController::openProjectFile(const QString& path, Links links) {
     m_runner.submit(
         JobKind::Open,
         tr("Opening %1").arg(QFileInfo(path).fileName()),
-        [this, path, before = m_document.project()](JobContext&) -> Delivery {
-            auto saved = openProject(path);
+        [this, path, links, before = m_document.project()](JobContext&) -> Delivery {
+            auto saved = openProject(path, links);
             return [this, saved = std::move(saved), path, before] {
                 if (!saved) {
                     tell(saved.error());
                     m_settings.removeRecentFile(path);
                     emit recentFilesChanged();
+                    return;
+                }
+                if (!saved->outside.isEmpty()) {
+                    askForOutside(path, saved->outside);
                     return;
                 }
                 const auto show = [this, saved = *saved, path] {
@@ -204,6 +208,26 @@ void FileController::openProjectFile(const QString& path) {
                     whenSafe(show);
             };
         });
+}
+
+void FileController::askForOutside(const QString& path, const QStringList& files) {
+    auto* box = new QMessageBox(QMessageBox::Question,
+                                tr("Files outside the project's folder"),
+                                tr("%1 wants to open files outside its own folder. Do that only if "
+                                   "you know where it comes from.")
+                                    .arg(QFileInfo(path).fileName()),
+                                QMessageBox::Open | QMessageBox::Cancel,
+                                &m_window);
+    box->setObjectName(QStringLiteral("outsideQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(files.join(QLatin1Char('\n')));
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(box, &QMessageBox::finished, this, [this, path](int answer) {
+        if (answer == QMessageBox::Open)
+            openProjectFile(path, Links::Anywhere);
+    });
+    box->open();
 }
 
 void FileController::showDialog(const QString& title,

@@ -78,7 +78,9 @@ class FileController : public QObject {
                     const std::function<void(const QStringList&)>& open);
     void showSecond(const std::shared_ptr<const Source>& source);
     void openPictureOrTexton(const QString& path, const LoadOptions& options);
-    void openProjectFile(const QString& path);
+    void openProjectFile(const QString& path, Links links = Links::Inside);
+    /// Whether a project may open files that lie outside its folder; then opens it again.
+    void askForOutside(const QString& path, const QStringList& files);
     void show(const Opened& opened, const QString& name);
     void saveAs(const std::function<void()>& then);
     void saveTo(const QString& path, const std::function<void()>& then);

@@ -5,6 +5,8 @@
 #include "tests/helpers/Textons.h"
 #include "tests/helpers/Verify.h"
 
+#include <QCborMap>
+#include <QCborValue>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -191,6 +193,99 @@ class TestProjectFile : public QObject {
         const auto changed = openProject(second.filePath("w.txnproj"));
         TXN_OK(changed);
         QCOMPARE(changed->warnings.size(), 1);
+    }
+
+    void filesOutsideAreOpenedOnlyWhenAllowed_data() {
+        QTest::addColumn<bool>("throughLink");
+        QTest::newRow("up and down again") << false;
+        QTest::newRow("symbolic link") << true;
+    }
+    void filesOutsideAreOpenedOnlyWhenAllowed() {
+        QFETCH(const bool, throughLink);
+        QTemporaryDir whole;
+        QVERIFY(QDir(whole.path()).mkdir("project"));
+        const auto source = openSource(writePicture(whole, "secret.png"));
+        TXN_OK(source);
+        const QString path = whole.filePath("project/p.txnproj");
+        Project project;
+        project.source = *source;
+        project.linked = true;
+        TXN_OK(saveProject(project, {}, path));
+        if (throughLink) {
+            // As a project that was saved beside the picture has it.
+            QVERIFY(
+                QFile::copy(whole.filePath("secret.png"), whole.filePath("project/secret.png")));
+            project.source = *openSource(whole.filePath("project/secret.png"));
+            TXN_OK(saveProject(project, {}, path));
+            QVERIFY(QFile::remove(whole.filePath("project/secret.png")));
+            QVERIFY(
+                QFile::link(whole.filePath("secret.png"), whole.filePath("project/secret.png")));
+        }
+        const auto asked = openProject(path);
+        TXN_OK(asked);
+        QCOMPARE(asked->outside.size(), 1);
+        QVERIFY(asked->project.source == nullptr);
+        const auto allowed = openProject(path, Links::Anywhere);
+        TXN_OK(allowed);
+        QVERIFY(allowed->outside.isEmpty());
+        QVERIFY(allowed->project.source != nullptr);
+    }
+
+    void allOfThemAreAskedForAtOnce() {
+        QTemporaryDir whole;
+        QVERIFY(QDir(whole.path()).mkdir("project"));
+        QFile mesh(whole.filePath("m.obj"));
+        QVERIFY(mesh.open(QIODevice::WriteOnly) && mesh.write("v 0 0 0\n") > 0);
+        mesh.close();
+        const auto source = openSource(writePicture(whole, "p.png"));
+        TXN_OK(source);
+        Project project;
+        project.source = *source;
+        project.linked = true;
+        project.noise.mesh = whole.filePath("m.obj");
+        const QString path = whole.filePath("project/p.txnproj");
+        TXN_OK(saveProject(project, {}, path));
+        const auto asked = openProject(path);
+        TXN_OK(asked);
+        QCOMPARE(asked->outside, (QStringList{whole.filePath("m.obj"), whole.filePath("p.png")}));
+        const auto allowed = openProject(path, Links::Anywhere);
+        TXN_OK(allowed);
+        QCOMPARE(allowed->project.noise.mesh, whole.filePath("m.obj"));
+    }
+
+    /// Whatever the file says: an absolute path is no link of ours.
+    void absolutePathsAreNeverFollowed() {
+        const QString picture = writePicture(m_folder, "absolute.png");
+        QFile mesh(m_folder.filePath("absolute.obj"));
+        QVERIFY(mesh.open(QIODevice::WriteOnly) && mesh.write("v 0 0 0\n") > 0);
+        mesh.close();
+        const QCborMap head{{QStringLiteral("format"), QStringLiteral("texton-studio-project")},
+                            {QStringLiteral("version"), 1}};
+        QCborMap linked = head;
+        linked[QStringLiteral("exemplar")] = QCborMap{{QStringLiteral("link"), picture}};
+        const QString path = m_folder.filePath("a.txnproj");
+        TXN_FAILS_WITH(decodeProject(QCborValue(linked).toCbor(), path, Links::Anywhere),
+                       ErrorCode::Unreadable);
+        QCborMap meshed = head;
+        meshed[QStringLiteral("noise")] = QCborMap{{QStringLiteral("mesh"), mesh.fileName()}};
+        const auto opened = decodeProject(QCborValue(meshed).toCbor(), path, Links::Anywhere);
+        TXN_OK(opened);
+        QCOMPARE(opened->project.noise.mesh, NoiseSettings{}.mesh);
+        QCOMPARE(opened->warnings.size(), 1);
+    }
+
+    /// A way over the root would tell all of the path: then the bytes go into the file.
+    void pathsOfTheMachineAreNotWritten() {
+        const auto source = openSource(writePicture(m_folder, "private.png"));
+        TXN_OK(source);
+        Project project;
+        project.source = *source;
+        project.noise.mesh = m_folder.filePath("private.obj");
+        const QByteArray bytes =
+            encodeProject(project, {}, ExemplarStorage::Linked, "/somewhere/else");
+        for (const QString& part : m_folder.path().split('/', Qt::SkipEmptyParts))
+            QVERIFY(!bytes.contains(part.toUtf8()));
+        QVERIFY(bytes.contains("private.obj"));
     }
 
     void samplesAreMadeAnew() {

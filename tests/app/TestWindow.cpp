@@ -396,6 +396,35 @@ class TestWindow : public QObject {
             QSKIP("the sanitizer keeps freed memory");
         QVERIFY2(grown <= 20.0, QByteArray::number(grown));
     }
+
+    void filesOutsideTheProjectAreAskedFor() {
+        Studio studio;
+        QVERIFY(QDir().mkpath(studio.path("project")));
+        const QString photo = studio.path("photo.png");
+        QVERIFY(saveImage(*makeSample("rust", {40, 30}, Seed{1}), photo.toStdString(), {}));
+        const auto source = openSource(photo);
+        QVERIFY(source);
+        Project project;
+        project.source = *source;
+        project.linked = true;
+        const QString path = studio.path("project/p.txnproj");
+        QVERIFY(saveProject(project, {}, path));
+
+        studio.window().files().open(path);
+        QTRY_VERIFY(studio.find<QMessageBox>("outsideQuestion") != nullptr);
+        QVERIFY(studio.find<QMessageBox>("outsideQuestion")->informativeText().contains(photo));
+        studio.find<QMessageBox>("outsideQuestion")->button(QMessageBox::Cancel)->click();
+        QTRY_VERIFY(studio.find<QMessageBox>("outsideQuestion") == nullptr);
+        QTRY_VERIFY(studio->runner().isIdle());
+        QVERIFY(studio.project().source == nullptr);
+
+        studio.window().files().open(path);
+        QTRY_VERIFY(studio.find<QMessageBox>("outsideQuestion") != nullptr);
+        studio.find<QMessageBox>("outsideQuestion")->button(QMessageBox::Open)->click();
+        QTRY_VERIFY(studio.project().source != nullptr);
+        QCOMPARE(studio.project().source->name(), QStringLiteral("photo.png"));
+        QTRY_VERIFY(studio->runner().isIdle());
+    }
 };
 
 QTEST_MAIN(TestWindow)
