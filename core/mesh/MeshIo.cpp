@@ -247,17 +247,14 @@ TriangleMesh withJoinedVertices(const TriangleMesh& mesh) {
     return joined;
 }
 
-Result<TriangleMesh> read(const Path& path) {
+Result<TriangleMesh> parsed(std::string bytes, const Path& path) {
     const auto byEnding = formatByEnding(path);
     if (!byEnding)
         return byEnding.error();
-    auto bytes = readWhole(path);
-    if (!bytes)
-        return bytes.error();
-    const bool isPly = bytes->starts_with("ply\n") || bytes->starts_with("ply\r\n");
+    const bool isPly = bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n");
     if (*byEnding == MeshFormat::Ply && !isPly)
         return unreadableMesh(path, "it does not begin as a PLY file does");
-    const auto raw = isPly ? readPly(*bytes, path) : readObj(*std::move(bytes), path);
+    const auto raw = isPly ? readPly(bytes, path) : readObj(std::move(bytes), path);
     if (!raw)
         return raw.error();
     if (auto checked = check(*raw, path); !checked)
@@ -294,13 +291,27 @@ Result<void> RawMesh::beginFace(std::size_t cornerCount, const Path& path) {
     return {};
 }
 
-Result<TriangleMesh> loadMesh(const Path& path) {
+Result<TriangleMesh> readMesh(std::string bytes, const Path& path) {
     try {
-        return read(path);
+        return parsed(std::move(bytes), path);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::TooLarge, "there is not enough memory to read " + quoted(path)};
     } catch (...) {
         return unreadableMesh(path, "the reader failed");
+    }
+}
+
+Result<TriangleMesh> loadMesh(const Path& path) {
+    // Before the file is touched: other kinds are none of ours.
+    if (const auto format = formatByEnding(path); !format)
+        return format.error();
+    try {
+        auto bytes = readWhole(path);
+        if (!bytes)
+            return bytes.error();
+        return readMesh(*std::move(bytes), path);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::TooLarge, "there is not enough memory to read " + quoted(path)};
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/mesh/TriangleMesh.h"
 
 #include <filesystem>
+#include <string>
 
 namespace txn {
 
@@ -23,5 +24,9 @@ namespace txn {
 /// coordinates that are not finite or beyond 1e12, and files without any triangle.
 /// Thread-safe.
 [[nodiscard]] Result<TriangleMesh> loadMesh(const std::filesystem::path& path);
+
+/// The same for the bytes of such a file that were read already; path is what messages name and
+/// whose ending counts.
+[[nodiscard]] Result<TriangleMesh> readMesh(std::string bytes, const std::filesystem::path& path);
 
 } // namespace txn
