@@ -15,6 +15,11 @@ constexpr qint64 kMaxSeed = 0xffffffff;
 constexpr int kMaxTextonSide = 8192;
 constexpr int kMaxKernels = 64;
 
+/// QCborValue::toInteger() converts doubles that no integer can hold, which is undefined.
+qint64 integerOr(const QCborValue& value, qint64 other) {
+    return value.isInteger() ? value.toInteger() : other;
+}
+
 Seed readSeed(CborReader& reader, const char* key, Seed standard) {
     return Seed{static_cast<std::uint32_t>(reader.integer(key, 0, kMaxSeed, standard.value))};
 }
@@ -56,7 +61,7 @@ qint64 CborReader::integer(const char* key, qint64 low, qint64 high, qint64 stan
     const QCborValue value = m_map.value(QLatin1String(key));
     if (value.isUndefined())
         return standard;
-    const qint64 number = value.toInteger(low);
+    const qint64 number = integerOr(value, low);
     if (value.isInteger() && number >= low && number <= high)
         return number;
     m_good = false;
@@ -87,7 +92,7 @@ bool readEdit(CborReader reader, ExemplarEdit& edit) {
         const QCborArray crop = reader.array("crop");
         bool good = crop.size() == 4;
         for (qsizetype i = 0; good && i < 4; ++i) {
-            values[static_cast<std::size_t>(i)] = crop.at(i).toInteger(-1);
+            values[static_cast<std::size_t>(i)] = integerOr(crop.at(i), -1);
             good = values[static_cast<std::size_t>(i)] >= (i < 2 ? 0 : 1) &&
                    values[static_cast<std::size_t>(i)] <= kMaxSide;
         }
@@ -177,7 +182,7 @@ bool readView(CborReader reader, ViewState& view) {
     view.layout = choice(reader, "layout", ViewLayout::Wipe, view.layout);
     if (const QCborArray shown = reader.array("shown"); shown.size() == 4) {
         for (qsizetype i = 0; i < 4; ++i) {
-            const qint64 picture = shown.at(i).toInteger(-1);
+            const qint64 picture = integerOr(shown.at(i), -1);
             if (picture < 0 || picture > static_cast<qint64>(Picture::Noise))
                 return false;
             view.shown[static_cast<std::size_t>(i)] = static_cast<Picture>(picture);
