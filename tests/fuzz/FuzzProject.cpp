@@ -22,7 +22,10 @@ std::string text(const QByteArray& bytes) {
 /// The settings of a mixture are read only where there is a photo, whose decoding is not for this
 /// target.
 void readMixture(const QByteArray& bytes) {
-    const QCborValue value = QCborValue::fromCbor(bytes);
+    QCborParserError problem;
+    const QCborValue value = QCborValue::fromCbor(bytes, &problem);
+    if (problem.error != QCborError::NoError) // Qt's maps that end in a key crash on look-ups
+        return;
     CborReader mixture(CborReader(value.taggedValue(value).toMap()).map("mix"));
     MixSettings mix;
     if (!readMixSettings(mixture, mix))
