@@ -65,7 +65,10 @@ QCborMap readWrapper(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return {};
-    const QCborMap map = QCborValue::fromCbor(file.readAll()).toMap();
+    QCborParserError problem;
+    const QCborMap map = QCborValue::fromCbor(file.readAll(), &problem).toMap();
+    if (problem.error != QCborError::NoError) // Qt's maps that end in a key crash on look-ups
+        return {};
     return map.value(QStringLiteral("format")).toString() == kFormat ? map : QCborMap();
 }
 
