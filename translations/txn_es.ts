@@ -802,6 +802,26 @@
         <source>Open a photo first, then a second one to mix it with.</source>
         <translation>Abra primero una foto y luego una segunda para mezclarla con ella.</translation>
     </message>
+    <message>
+        <source>Open a very large picture?</source>
+        <translation>¿Abrir una imagen muy grande?</translation>
+    </message>
+    <message>
+        <source>Opening it may take long and much memory. Open only files that you trust this way.</source>
+        <translation>Abrirla puede llevar tiempo y ocupar mucha memoria. Abra así solo archivos de confianza.</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Abrir de todos modos</translation>
+    </message>
+    <message>
+        <source>Files outside the project&apos;s folder</source>
+        <translation>Archivos fuera de la carpeta del proyecto</translation>
+    </message>
+    <message>
+        <source>%1 wants to open files outside its own folder. Do that only if you know where it comes from.</source>
+        <translation>%1 quiere abrir archivos fuera de su carpeta. Acéptelo solo si sabe de dónde viene.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>

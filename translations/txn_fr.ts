@@ -814,6 +814,14 @@
         <source>Open anyway</source>
         <translation>Ouvrir quand même</translation>
     </message>
+    <message>
+        <source>Files outside the project&apos;s folder</source>
+        <translation>Fichiers hors du dossier du projet</translation>
+    </message>
+    <message>
+        <source>%1 wants to open files outside its own folder. Do that only if you know where it comes from.</source>
+        <translation>%1 veut ouvrir des fichiers hors de son dossier. Acceptez seulement si vous savez d’où il vient.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>

@@ -38,8 +38,11 @@ void installTranslations(QCoreApplication& application, const QString& language)
 
 QString languageName(const QString& language) {
     const QLocale locale(language);
-    if (locale.language() == QLocale::English) // Qt says which one, which does not matter here
+    // Qt says of which country these are, which does not matter here.
+    if (locale.language() == QLocale::English)
         return QStringLiteral("English");
+    if (locale.language() == QLocale::Spanish)
+        return QStringLiteral("Español");
     QString name = locale.nativeLanguageName();
     if (!name.isEmpty())
         name[0] = name[0].toUpper();

@@ -256,6 +256,8 @@ class TestWindow : public QObject {
                                  << "1.25";
         QTest::newRow("French") << "fr"
                                 << "1,25";
+        QTest::newRow("Spanish") << "es"
+                                 << "1,25";
         QTest::newRow("German") << "de"
                                 << "1,25";
         QTest::newRow("Arabic") << "ar"
