@@ -59,7 +59,7 @@ std::string inOneLine(std::string_view text) {
 std::string withEscapedControls(std::string_view json) {
     // Those of ASCII are escaped already, or stand between the values.
     return replaced(json, false, [](unsigned point) {
-        std::array<char, 8> text{};
+        std::array<char, 12> text{};
         std::snprintf(text.data(), text.size(), "\\u%04x", point);
         return std::string(text.data());
     });
