@@ -20,3 +20,18 @@ endif()
 if(TXN_FUZZ)
   target_compile_options(txn_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+
+# txn_precompile(TARGET HEADERS...): headers that most files of the target include anyway. The release
+# build goes without, so that every file is seen to include what it uses.
+function(txn_precompile target)
+  if(TXN_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+# The same headers for the targets that follow, compiled once for all of them.
+function(txn_share_precompiled target from)
+  if(TXN_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${from})
+  endif()
+endfunction()
