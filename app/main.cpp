@@ -3,6 +3,7 @@
 #include "app/MainWindow.h"
 #include "app/look/Language.h"
 #include "app/look/Theme.h"
+#include "core/base/OutputFiles.h"
 #include "core/base/Version.h"
 
 #include <QApplication>
@@ -53,6 +54,7 @@ struct Options {
 } // namespace
 
 int main(int argc, char** argv) {
+    txn::letFileSizeLimitsFail();
     QCoreApplication::setApplicationName(QStringLiteral("texton-studio"));
     QCoreApplication::setApplicationVersion(QLatin1String(txn::kProgramVersion));
     QStringList arguments;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Commands.h"
 #include "cli/Console.h"
+#include "core/base/OutputFiles.h"
 #include "core/base/Version.h"
 
 #include <algorithm>
@@ -47,8 +48,7 @@ void listenForInterrupts(txn::CancelSource& source) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         listen(signal, onInterrupt);
     listen(SIGALRM, onGraceOver);
-    // A write beyond the file size limit should fail with a message, not kill the program.
-    std::signal(SIGXFSZ, SIG_IGN);
+    txn::letFileSizeLimitsFail();
 }
 
 int fail(std::string message, int code) {

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <fcntl.h>
+#include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -40,12 +43,64 @@ fs::path folderOf(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+constexpr std::string_view kTemporary = ".texton-";
+
 /// A name that no other file in the folder has, short and apart from the target's: that one may be
 /// as long as the file system allows.
 fs::path uniqueName(const fs::path& folder, int number) {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    return folder / (".texton-" + std::to_string(::getpid()) + "-" + std::to_string(now) + "-" +
-                     std::to_string(number));
+    return folder / (std::string(kTemporary) + std::to_string(::getpid()) + "-" +
+                     std::to_string(now) + "-" + std::to_string(number));
+}
+
+bool isUniqueName(const std::string& name) {
+    return name.starts_with(kTemporary) &&
+           name.find_first_not_of("0123456789-", kTemporary.size()) == std::string::npos;
+}
+
+/// Tells others that the file is in use, as long as it is open; false where somebody has it.
+bool claim(int fd) {
+    return ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Removes temporary files of programs that have ended. Failing here loses nothing.
+void sweep(const fs::path& folder) {
+    std::error_code ec;
+    std::vector<fs::path> found;
+    for (auto entry = fs::directory_iterator(folder, ec); !ec && entry != fs::directory_iterator();
+         entry.increment(ec)) {
+        if (isUniqueName(entry->path().filename().string()))
+            found.push_back(entry->path());
+    }
+    for (const fs::path& path : found) {
+        const int fd = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (fd < 0)
+            continue;
+        struct stat info {};
+        if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && claim(fd))
+            ::unlink(path.c_str());
+        ::close(fd);
+    }
+}
+
+/// A new file with a name, claimed; -1 and errno.
+int createNamed(fs::path& path, const fs::path& folder, int number, mode_t mode) {
+    constexpr int kTries = 10;
+    int fd = -1;
+    for (int i = 0; i < kTries; ++i) {
+        path = uniqueName(folder, number);
+        fd = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, mode);
+        if (fd < 0)
+            return -1;
+        claim(fd);
+        // Unless another program has taken it for left over before it was claimed.
+        struct stat info {};
+        if (::fstat(fd, &info) == 0 && info.st_nlink > 0)
+            return fd;
+        ::close(fd);
+    }
+    errno = EAGAIN;
+    return -1;
 }
 
 fs::path pathOfDescriptor(int fd) {
@@ -83,6 +138,10 @@ OutputFiles& OutputFiles::operator=(OutputFiles&& other) noexcept {
     return *this;
 }
 
+void letFileSizeLimitsFail() noexcept {
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 Result<fs::path> OutputFiles::add(const fs::path& target) {
     const auto real = followed(target);
     if (!real)
@@ -104,6 +163,9 @@ Result<fs::path> OutputFiles::add(const fs::path& target) {
     const long longest = ::pathconf(folder.c_str(), _PC_NAME_MAX);
     if (longest > 0 && real->filename().string().size() > static_cast<std::size_t>(longest))
         return unwritable(target, systemReason(ENAMETOOLONG));
+    const auto beside = [&](const File& file) { return folderOf(file.target) == folder; };
+    if (std::none_of(m_files.begin(), m_files.end(), beside))
+        sweep(folder);
     const auto same = [&](const File& file) {
         return fs::absolute(file.target).lexically_normal() ==
                fs::absolute(*real).lexically_normal();
@@ -112,13 +174,16 @@ Result<fs::path> OutputFiles::add(const fs::path& target) {
         return Error{ErrorCode::InvalidArgument, quoted(target) + " is named twice"};
 
     constexpr mode_t kMode = 0666; // less what the umask forbids
-    File file{*real, {}, ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode)};
+    File file;
+    file.target = *real;
+    file.fd = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
     const bool nameless = file.fd >= 0 && fs::exists(pathOfDescriptor(file.fd), ec);
-    if (!nameless) {
+    if (nameless) {
+        claim(file.fd); // for when it gets a name
+    } else {
         if (file.fd >= 0)
             ::close(file.fd);
-        file.temporary = uniqueName(folder, static_cast<int>(m_files.size()));
-        file.fd = ::open(file.temporary.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
+        file.fd = createNamed(file.temporary, folder, static_cast<int>(m_files.size()), kMode);
         if (file.fd < 0)
             return unwritable(target, systemReason(errno));
     }
@@ -166,25 +231,58 @@ Result<void> OutputFiles::commit() {
             return unwritable(file.target, systemReason(code));
         file.temporary = name;
     }
-    // Nothing slow between one new name and the next.
-    std::vector<fs::path> folders;
-    while (!m_files.empty()) {
-        const File& file = m_files.front();
-        if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
-            return unwritable(file.target, systemReason(errno));
-        folders.push_back(folderOf(file.target));
-        ::close(file.fd);
-        m_files.erase(m_files.begin());
+    for (File& file : m_files) {
+        file.isNew = ::access(file.target.c_str(), F_OK) != 0;
+        if (file.isNew || m_files.size() == 1) // a rename alone happens or does not
+            continue;
+        const fs::path name = uniqueName(folderOf(file.target), file.fd);
+        if (::link(file.target.c_str(), name.c_str()) == 0)
+            file.old = name;
     }
+    if (auto ok = place(); !ok) {
+        takeBack();
+        return ok;
+    }
+    std::set<fs::path> folders;
+    for (File& file : m_files) {
+        if (!file.old.empty())
+            ::unlink(file.old.c_str());
+        folders.insert(folderOf(file.target));
+        ::close(file.fd);
+    }
+    m_files.clear();
     for (const fs::path& folder : folders)
         flushFolder(folder);
     return {};
 }
 
+/// Nothing slow between one new name and the next.
+Result<void> OutputFiles::place() {
+    for (File& file : m_files) {
+        if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+            return unwritable(file.target, systemReason(errno));
+        file.placed = true;
+    }
+    return {};
+}
+
+void OutputFiles::takeBack() noexcept {
+    for (File& file : m_files) {
+        if (!file.placed)
+            continue;
+        if (file.isNew)
+            ::unlink(file.target.c_str());
+        else if (!file.old.empty() && ::rename(file.old.c_str(), file.target.c_str()) == 0)
+            file.old.clear();
+    }
+}
+
 void OutputFiles::discard() noexcept {
     for (const File& file : m_files) {
-        if (!file.temporary.empty())
+        if (!file.temporary.empty() && !file.placed)
             ::unlink(file.temporary.c_str());
+        if (!file.old.empty())
+            ::unlink(file.old.c_str());
         ::close(file.fd);
     }
     m_files.clear();

@@ -9,11 +9,17 @@
 
 namespace txn {
 
+/// For main(): where files have a largest size (a quota, ulimit -f), writing more fails with a
+/// message instead of ending the program.
+void letFileSizeLimitsFail() noexcept;
+
 /// Files that appear together or not at all: each is written without a name in the folder where it
 /// belongs, and commit() gives them their names. Destroyed without commit(), or killed, it leaves
-/// nothing behind, and existing files stay as they were. (A kill in the
-/// instant of the renames, or on the few file systems that know no nameless files, may leave a file
-/// called .texton-...) Move-only; one thread at a time.
+/// nothing behind, and existing files stay as they were. A kill in the instant of the renames
+/// leaves every file whole, but may leave some old and some new, and files called .texton-...; so
+/// does a kill at any time on the few file systems that know no nameless files. What is left of
+/// programs that have ended goes with the next add() in that folder. Move-only; one thread at a
+/// time.
 class OutputFiles {
   public:
     OutputFiles() = default;
@@ -36,15 +42,21 @@ class OutputFiles {
     [[nodiscard]] Result<void> addText(const std::filesystem::path& target, std::string_view text);
 
     /// Flushes every file to the disk and gives each its final name. Whatever can fail or takes
-    /// time comes first, then the renames, one after another.
+    /// time comes first, then the renames, one after another; if one of them fails, those before it
+    /// are taken back (several files at once: where the file system has hard links).
     [[nodiscard]] Result<void> commit();
 
   private:
     struct File {
         std::filesystem::path target;
         std::filesystem::path temporary; ///< empty: nameless, known by fd only
+        std::filesystem::path old;       ///< another name of what is to be replaced, if any
         int fd = -1;
+        bool isNew = false; ///< nothing is to be replaced
+        bool placed = false;
     };
+    Result<void> place();
+    void takeBack() noexcept;
     void discard() noexcept;
     std::vector<File> m_files;
 };

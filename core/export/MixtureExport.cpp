@@ -85,13 +85,33 @@ Result<void> addArray(const MixtureAsset& asset, const fs::path& path, OutputFil
     return saveImage(all, path, options, &files);
 }
 
-Result<void> makeFolder(const fs::path& folder) {
+/// Whether it was missing.
+Result<bool> makeFolder(const fs::path& folder) {
     std::error_code error;
-    fs::create_directory(folder, error);
+    const bool made = fs::create_directory(folder, error);
     if (error)
         return Error{ErrorCode::Unwritable,
                      "cannot make the folder " + quoted(folder) + ": " + error.message()};
-    return {};
+    return made;
+}
+
+Result<void> writeMixture(const MixtureAsset& asset, const fs::path& folder) {
+    OutputFiles files;
+    if (auto ok = addArray(asset, folder / kArrayFile, files); !ok)
+        return ok;
+    const std::string text =
+        withEscapedControls(describe(asset).dump(2, ' ', false, Json::error_handler_t::replace)) +
+        "\n";
+    if (auto ok = files.addText(folder / kDescriptionFile, text); !ok)
+        return ok;
+    if (auto ok = addMixingMap(asset.mixture.map, folder / kMapFile, files); !ok)
+        return ok;
+    std::vector<fs::path> written;
+    for (std::size_t r = 0; r < asset.mixture.textons.size(); ++r) {
+        if (auto ok = addTexton(textonAsset(asset, r), folder / fileOf(r), files, written); !ok)
+            return ok;
+    }
+    return files.commit();
 }
 
 } // namespace
@@ -132,26 +152,15 @@ Result<void> checkMixtureOutputs(const fs::path& folder, std::size_t textons) {
 }
 
 Result<std::vector<fs::path>> saveMixture(const MixtureAsset& asset, const fs::path& folder) {
-    if (const auto ok = makeFolder(folder); !ok)
+    const auto made = makeFolder(folder);
+    if (!made)
+        return made.error();
+    if (const auto ok = writeMixture(asset, folder); !ok) {
+        std::error_code notEmpty;
+        if (*made)
+            fs::remove(folder, notEmpty);
         return ok.error();
-    OutputFiles files;
-    if (const auto ok = addArray(asset, folder / kArrayFile, files); !ok)
-        return ok.error();
-    const std::string text =
-        withEscapedControls(describe(asset).dump(2, ' ', false, Json::error_handler_t::replace)) +
-        "\n";
-    if (const auto ok = files.addText(folder / kDescriptionFile, text); !ok)
-        return ok.error();
-    if (const auto ok = addMixingMap(asset.mixture.map, folder / kMapFile, files); !ok)
-        return ok.error();
-    std::vector<fs::path> written;
-    for (std::size_t r = 0; r < asset.mixture.textons.size(); ++r) {
-        if (const auto ok = addTexton(textonAsset(asset, r), folder / fileOf(r), files, written);
-            !ok)
-            return ok.error();
     }
-    if (const auto ok = files.commit(); !ok)
-        return ok.error();
     return mixtureFiles(folder, asset.mixture.textons.size());
 }
 
