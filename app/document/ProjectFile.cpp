@@ -2,6 +2,7 @@
 #include "app/document/ProjectFile.h"
 
 #include "app/document/ProjectReader.h"
+#include "core/base/OutputFiles.h"
 #include "core/mesh/BuiltinMeshes.h"
 
 #include <QCborMap>
@@ -10,7 +11,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace txn::app {
 namespace {
@@ -372,14 +372,21 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path,
     return saved;
 }
 
+Result<void> writeWhole(const QString& path, const QByteArray& bytes) {
+    OutputFiles files;
+    if (auto added = files.addText(QFile::encodeName(path).toStdString(),
+                                   {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        !added)
+        return added;
+    return files.commit();
+}
+
 Result<void> saveProject(const Project& project, const ViewState& view, const QString& path) {
     const auto storage = project.linked ? ExemplarStorage::Linked : ExemplarStorage::Embedded;
-    QSaveFile file(path);
     const QByteArray bytes = encodeProject(project, view, storage, QFileInfo(path).absolutePath());
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return Error{ErrorCode::Unwritable,
-                     named(path) + " cannot be written: " + file.errorString().toStdString() +
-                         "; please choose another place"};
+    if (auto written = writeWhole(path, bytes); !written)
+        return Error{written.error().code,
+                     written.error().message + "; please choose another place"};
     return {};
 }
 

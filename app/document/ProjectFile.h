@@ -36,6 +36,9 @@ enum class ExemplarStorage { Embedded, Linked };
 [[nodiscard]] Result<SavedProject>
 decodeProject(const QByteArray& bytes, const QString& path, Links links = Links::Inside);
 
+/// The old file or the new one, whole, whatever happens. Errors: Unwritable, naming the file.
+[[nodiscard]] Result<void> writeWhole(const QString& path, const QByteArray& bytes);
+
 /// Writes aside and renames: the old file or the new one, whole. Embeds the exemplar unless the
 /// project is to be linked.
 [[nodiscard]] Result<void>

@@ -122,8 +122,9 @@ Result<void> writeEngine(const QStringList& files,
     }
     if (context.cancelled())
         return kCancelled;
-    if (auto ok = writeTexton({files[1]}, snapshot); !ok)
-        return ok.error();
+    std::vector<std::filesystem::path> written;
+    if (auto ok = addTexton(snapshot.asset, toPath(files[0]), output, written); !ok)
+        return ok;
     return output.commit();
 }
 

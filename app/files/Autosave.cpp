@@ -12,7 +12,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QUuid>
 #include <algorithm>
 
@@ -138,15 +137,13 @@ void Autosave::write() {
             map[QStringLiteral("project")] =
                 encodeProject(project, view, ExemplarStorage::Embedded, QFileInfo(file).path());
             const QByteArray bytes = QCborValue(map).toCbor();
-            QSaveFile output(file);
-            const bool written = output.open(QIODevice::WriteOnly) &&
-                                 output.write(bytes) == bytes.size() && output.commit();
+            const auto written = writeWhole(file, bytes);
             // Whoever gives it up removes it, too: it must not come back.
             if (*givenUp)
                 QFile::remove(file);
             if (written)
                 return {};
-            return [this, reason = output.errorString()] {
+            return [this, reason = QString::fromStdString(written.error().message)] {
                 emit failed(
                     tr("No copy of your work can be kept (%1). Please save it.").arg(reason));
             };
@@ -154,25 +151,14 @@ void Autosave::write() {
 }
 
 bool mayBeRecoverable(const QString& folder) {
-    // Or a part of one, to be swept away: QSaveFile adds six letters while it writes.
-    return !QDir(folder)
-                .entryList({QStringLiteral("*") + kEnding,
-                            QStringLiteral("*") + kEnding + QStringLiteral(".??????")},
-                           QDir::Files)
-                .isEmpty();
+    return !QDir(folder).entryList({QStringLiteral("*") + kEnding}, QDir::Files).isEmpty();
 }
 
 std::vector<RecoveredProject> findRecoverable(const QString& folder) {
-    // A program that was killed while it wrote leaves a part of a copy, too.
+    // Looking at the lock of a program that died removes it.
     for (const QFileInfo& info :
-         QDir(folder).entryInfoList({QStringLiteral("*") + kEnding + kLockEnding}, QDir::Files)) {
-        if (isAlive(info.filePath()))
-            continue;
-        const QString copy = info.filePath().chopped(kLockEnding.size());
-        for (const QFileInfo& part :
-             QDir(folder).entryInfoList({QFileInfo(copy).fileName() + QStringLiteral(".*")}))
-            QFile::remove(part.filePath());
-    }
+         QDir(folder).entryInfoList({QStringLiteral("*") + kEnding + kLockEnding}, QDir::Files))
+        static_cast<void>(isAlive(info.filePath()));
     std::vector<RecoveredProject> found;
     for (const QFileInfo& info :
          QDir(folder).entryInfoList({QStringLiteral("*") + kEnding}, QDir::Files, QDir::Time)) {
