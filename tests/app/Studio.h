@@ -127,7 +127,13 @@ class Studio {
     /// Everything computed, and the noise drawn in full.
     bool settle() {
         QTest::qWait(30); // what was asked for has begun
-        return waitFor([this] { return isSettled(); });
+        // One job may have ended and what follows from it not begun yet.
+        constexpr int kCalmLooks = 5;
+        int calm = 0;
+        return waitFor([&] {
+            calm = isSettled() ? calm + 1 : 0;
+            return calm == kCalmLooks;
+        });
     }
 
   private:
