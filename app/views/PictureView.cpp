@@ -543,10 +543,10 @@ void PictureView::moveBorder(double x) {
 }
 
 void PictureView::tabletEvent(QTabletEvent* event) {
-    if (event->type() == QEvent::TabletRelease)
-        m_penPressure.reset();
-    else
+    if (event->buttons().testFlag(Qt::LeftButton))
         m_penPressure = event->pressure();
+    else // lifted or hovering
+        m_penPressure.reset();
     event->ignore(); // comes again as a mouse
 }
 

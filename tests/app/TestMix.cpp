@@ -19,8 +19,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QPointingDevice>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabletEvent>
 #include <QUrl>
 #include <QtTest>
 
@@ -92,6 +94,33 @@ void drag(Studio& studio, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {
     for (int i = 1; i <= 8; ++i)
         QTest::mouseMove(&view, from + (to - from) * i / 8);
     QTest::mouseRelease(&view, Qt::LeftButton, keys, to);
+}
+
+/// What a pen sends before the event of the mouse that is made of it.
+void pen(Studio& studio, QEvent::Type type, QPoint at, double pressure) {
+    static const QPointingDevice device(QStringLiteral("pen"),
+                                        1,
+                                        QInputDevice::DeviceType::Stylus,
+                                        QPointingDevice::PointerType::Pen,
+                                        QInputDevice::Capability::Pressure,
+                                        1,
+                                        1);
+    PictureView& view = noiseView(studio);
+    const auto buttons = pressure > 0.0 ? Qt::LeftButton : Qt::NoButton;
+    QTabletEvent event(type,
+                       &device,
+                       at,
+                       view.mapToGlobal(QPointF(at)),
+                       pressure,
+                       0.0F,
+                       0.0F,
+                       0.0F,
+                       0.0,
+                       0.0F,
+                       {},
+                       type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+                       buttons);
+    QApplication::sendEvent(&view, &event);
 }
 
 double rhoAt(Studio& studio, int x, int y) {
@@ -384,6 +413,24 @@ class TestMix : public QObject {
         view.setFlipped(true);
         drag(studio, inView(studio, 60, 60), inView(studio, 60, 60));
         QCOMPARE(studio.document().undoStack().index(), steps + 1);
+    }
+
+    void aPenPaintsWithItsPressure() {
+        Studio studio;
+        QVERIFY(openSmallMix(studio));
+        studio.trigger("mix.brush");
+        const QPoint light = inView(studio, -70, 0);
+        pen(studio, QEvent::TabletPress, light, 0.3);
+        QTest::mousePress(&noiseView(studio), Qt::LeftButton, {}, light);
+        pen(studio, QEvent::TabletRelease, light, 0.0);
+        QTest::mouseRelease(&noiseView(studio), Qt::LeftButton, {}, light);
+        QVERIFY2(std::abs(rhoAt(studio, -70, 0) - 0.3) < 0.05,
+                 qPrintable(QString::number(rhoAt(studio, -70, 0))));
+        // A pen that hovers or has gone leaves the mouse its strength.
+        const QPoint full = inView(studio, 70, 0);
+        pen(studio, QEvent::TabletMove, full, 0.0);
+        drag(studio, full, full);
+        QVERIFY(rhoAt(studio, 70, 0) > 0.99);
     }
 
     void theChosenTextonSurvivesAnotherNumber() {
