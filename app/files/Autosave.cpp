@@ -9,6 +9,7 @@
 #include <QBuffer>
 #include <QCborMap>
 #include <QCborValue>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -20,6 +21,7 @@ namespace {
 
 const QString kEnding = QStringLiteral(".recovery");
 const QString kFormat = QStringLiteral("texton-studio-recovery");
+const QString kContent = QStringLiteral("content");
 const QString kLockEnding = QStringLiteral(".lock");
 constexpr int kThumbnailPx = 192;
 
@@ -60,6 +62,11 @@ bool isAlive(const QString& lockFile) {
     return !lock.tryLock(0);
 }
 
+QByteArray hashOf(const QByteArray& content) {
+    return QCryptographicHash::hash(content, QCryptographicHash::Sha256);
+}
+
+/// Empty: not a copy, or not a whole one.
 QCborMap readWrapper(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -68,7 +75,19 @@ QCborMap readWrapper(const QString& path) {
     const QCborMap map = QCborValue::fromCbor(file.readAll(), &problem).toMap();
     if (problem.error != QCborError::NoError) // Qt's maps that end in a key crash on look-ups
         return {};
-    return map.value(QStringLiteral("format")).toString() == kFormat ? map : QCborMap();
+    const QByteArray content = map.value(kContent).toByteArray();
+    if (map.value(QStringLiteral("format")).toString() != kFormat ||
+        map.value(QStringLiteral("hash")).toByteArray() != hashOf(content))
+        return {};
+    return QCborValue::fromCbor(content).toMap();
+}
+
+QByteArray wrapped(const QCborMap& content) {
+    QCborMap map;
+    map[QStringLiteral("format")] = kFormat;
+    map[kContent] = content.toCborValue().toCbor();
+    map[QStringLiteral("hash")] = hashOf(map.value(kContent).toByteArray());
+    return map.toCborValue().toCbor();
 }
 
 } // namespace
@@ -130,14 +149,13 @@ void Autosave::write() {
          original = m_document.filePath(),
          givenUp = m_givenUp](JobContext&) -> Delivery {
             QCborMap map;
-            map[QStringLiteral("format")] = kFormat;
             map[QStringLiteral("title")] = title;
             map[QStringLiteral("original")] = original;
             map[QStringLiteral("thumbnail")] = thumbnail(project);
             map[QStringLiteral("project")] =
                 encodeProject(project, view, ExemplarStorage::Embedded, QFileInfo(file).path());
-            const QByteArray bytes = QCborValue(map).toCbor();
-            const auto written = writeWhole(file, bytes);
+            map[QStringLiteral("written")] = QDateTime::currentMSecsSinceEpoch();
+            const auto written = writeWhole(file, wrapped(map));
             // Whoever gives it up removes it, too: it must not come back.
             if (*givenUp)
                 QFile::remove(file);
@@ -161,18 +179,20 @@ std::vector<RecoveredProject> findRecoverable(const QString& folder) {
         static_cast<void>(isAlive(info.filePath()));
     std::vector<RecoveredProject> found;
     for (const QFileInfo& info :
-         QDir(folder).entryInfoList({QStringLiteral("*") + kEnding}, QDir::Files, QDir::Time)) {
+         QDir(folder).entryInfoList({QStringLiteral("*") + kEnding}, QDir::Files)) {
         if (isAlive(info.filePath() + kLockEnding))
             continue;
         const QCborMap map = readWrapper(info.filePath());
         if (map.isEmpty())
             continue;
+        const auto written = map.value(QStringLiteral("written")).toInteger();
         found.push_back({info.filePath(),
                          map.value(QStringLiteral("title")).toString(),
                          map.value(QStringLiteral("original")).toString(),
-                         info.lastModified(),
+                         QDateTime::fromMSecsSinceEpoch(written),
                          QImage::fromData(map.value(QStringLiteral("thumbnail")).toByteArray())});
     }
+    std::ranges::stable_sort(found, std::ranges::greater(), &RecoveredProject::time);
     return found;
 }
 

@@ -20,7 +20,7 @@ struct RecoveredProject {
     QString file;         ///< of the copy
     QString title;        ///< of the project
     QString originalPath; ///< empty: it was never saved
-    QDateTime time;
+    QDateTime time;       ///< of the copy
     QImage thumbnail;
 };
 
@@ -63,8 +63,8 @@ class Autosave : public QObject {
 /// Whether findRecoverable() may find something. Cheap.
 [[nodiscard]] bool mayBeRecoverable(const QString& folder);
 
-/// Copies whose programs have died, newest first; removes what else those programs left. Reads them
-/// whole: belongs into a job.
+/// Whole copies whose programs have died, newest first: what counts is their content, not names and
+/// dates of files. Others stay where they are. Reads them all: belongs into a job.
 [[nodiscard]] std::vector<RecoveredProject> findRecoverable(const QString& folder);
 
 /// Errors: those of decodeProject. Decodes the exemplar: belongs into a job.

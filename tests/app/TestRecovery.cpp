@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/ProjectFile.h"
 #include "app/files/Autosave.h"
 #include "app/files/RecoveryDialog.h"
 #include "tests/app/Studio.h"
+#include "tests/helpers/Verify.h"
 
 #include <QDir>
 #include <QLabel>
@@ -18,6 +20,14 @@ namespace {
 
 constexpr int kAtOnceMs = 20;
 
+/// Hard to compute again: somebody painted it.
+PaintedMap paintedMap() {
+    Image map({64, 32}, 1);
+    for (int x = 0; x < map.width(); ++x)
+        map.at(x, x % map.height(), 0) = 1.0F;
+    return PaintedMap::fromImage(map);
+}
+
 /// The program that will be killed: changes something, waits for the copy, says so, and goes on
 /// until it dies.
 int beKilled(const QString& home, double contrast) {
@@ -30,6 +40,8 @@ int beKilled(const QString& home, double contrast) {
     document.change("Contrast", [&](Project& p) {
         p.noise.contrast = contrast;
         p.edit.crop = Rect{10, 20, {300, 200}};
+        p.mix.source = *sampleSource("cloth");
+        p.mix.map = paintedMap();
     });
     if (!waitFor([&] { return QFileInfo::exists(autosave.file()); }))
         return 1;
@@ -42,6 +54,66 @@ int beKilled(const QString& home, double contrast) {
         QTest::qWait(1);
     }
     return 1;
+}
+
+constexpr int kSteps = 20;
+constexpr int kSavedAfter = 8;
+
+/// A step of a story: everything that a project holds is changed by one of them.
+void takeStep(Project& project, int step) {
+    project.noise.seed = Seed{static_cast<std::uint32_t>(step)};
+    switch (step % 5) {
+    case 0:
+        project.texton.support = {8 + step, 8 + step};
+        break;
+    case 1:
+        project.source = *sampleSource(step < kSteps / 2 ? "sand" : "stone");
+        break;
+    case 2:
+        project.noise.contrast = 0.5 + 0.01 * step;
+        break;
+    case 3:
+        project.mix.source = *sampleSource("cloth");
+        project.mix.map = paintedMap();
+        break;
+    default:
+        project.edit.crop = Rect{step, step, {64, 64}};
+    }
+}
+
+/// Lives through the story up to a step, whose copy is made, and dies of a bug.
+int abortAt(const QString& home, int last) {
+    const QString original = home + "/story.txnproj";
+    ProjectDocument document;
+    JobRunner runner;
+    Autosave autosave(document, runner, home + "/recovery", kAtOnceMs);
+    for (int step = 1; step <= last; ++step) {
+        document.change("Step", [step](Project& p) { takeStep(p, step); });
+        if (step == kSavedAfter && last > step) {
+            if (!saveProject(document.project(), document.view(), original))
+                return 1;
+            document.setSaved(original);
+        }
+    }
+    const auto isCopied = [&] {
+        const auto copy = readRecovered({autosave.file(), {}, {}, {}, {}});
+        return copy && copy->project.noise.seed.value == static_cast<std::uint32_t>(last);
+    };
+    if (!waitFor(isCopied))
+        return 1;
+    std::puts("copied");
+    std::fflush(stdout);
+    std::abort();
+}
+
+QByteArray read(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
 }
 
 void runAndKill(const QString& home, double contrast, int afterMs) {
@@ -99,6 +171,9 @@ class TestRecovery : public QObject {
         next.dialog()->findChild<QPushButton*>("recoveryRecover")->click();
         QTRY_COMPARE(next.studio.document().project().noise.contrast, 0.75);
         QCOMPARE(*next.studio.document().project().edit.crop, (Rect{10, 20, {300, 200}}));
+        const MixSettings& mix = next.studio.document().project().mix;
+        QVERIFY(mix.source && mix.source->sample() == "cloth");
+        QVERIFY(mix.map == paintedMap());
         // It is still to be saved, and a second crash would not lose it.
         QVERIFY(next.studio.document().isModified());
         const QDir folder(home.filePath("recovery"));
@@ -138,31 +213,94 @@ class TestRecovery : public QObject {
         QVERIFY(newest && newest->project.noise.contrast == 0.6);
     }
 
-    void aDamagedCopyIsToldAndKept() {
+    void theNewestWholeCopyIsOffered() {
         QTemporaryDir home;
         runAndKill(home.path(), 0.5, 0);
         const QDir folder(home.filePath("recovery"));
-        const QString name = folder.entryList({"*.recovery"}, QDir::Files).value(0);
-        QFile file(folder.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        QByteArray bytes = file.readAll();
-        file.close();
-        const auto at = bytes.indexOf("texton-studio-project");
-        QVERIFY(at > 0);
-        bytes[at] = 'X';
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-        file.close();
+        const QString older = folder.entryList({"*.recovery"}, QDir::Files).value(0);
+        runAndKill(home.path(), 0.6, 0);
+        QString newer;
+        for (const QString& name : folder.entryList({"*.recovery"}, QDir::Files))
+            newer = name == older ? newer : name;
+        // Dates of files say nothing.
+        QFile old(folder.filePath(older));
+        QVERIFY(old.open(QIODevice::ReadWrite));
+        QVERIFY(old.setFileTime(QDateTime::currentDateTime().addDays(1),
+                                QFileDevice::FileModificationTime));
+        old.close();
+        auto copies = findRecoverable(folder.path());
+        QCOMPARE(copies.size(), std::size_t{2});
+        QCOMPARE(QFileInfo(copies.front().file).fileName(), newer);
+        // A bit is lost somewhere in it.
+        QByteArray bytes = read(folder.filePath(newer));
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+        QVERIFY(write(folder.filePath(newer), bytes));
+        copies = findRecoverable(folder.path());
+        QCOMPARE(copies.size(), std::size_t{1});
+        QCOMPARE(QFileInfo(copies.front().file).fileName(), older);
+        QVERIFY(folder.exists(newer)); // perhaps somebody can make something of it
         Next next(home.path());
         QTRY_VERIFY(next.dialog() != nullptr);
         next.dialog()->findChild<QPushButton*>("recoveryRecover")->click();
-        QTRY_VERIFY(next.studio.window().findChild<QLabel*>("messageText")->text().contains(name));
-        QVERIFY(file.exists());
+        QTRY_COMPARE(next.studio.document().project().noise.contrast, 0.5);
+    }
+
+    void copiesThatAreCutOffArePassedOver() {
+        QTemporaryDir home;
+        runAndKill(home.path(), 0.5, 0);
+        const QDir folder(home.filePath("recovery"));
+        const QString file = folder.filePath(folder.entryList({"*.recovery"}, QDir::Files).first());
+        const QByteArray whole = read(file);
+        QCOMPARE(findRecoverable(folder.path()).size(), std::size_t{1});
+        const qsizetype step = std::max<qsizetype>(1, whole.size() / 200);
+        for (qsizetype length = 0; length < whole.size();
+             length += length < 300 ? qsizetype{1} : step) {
+            QVERIFY(write(file, whole.left(length)));
+            QVERIFY2(findRecoverable(folder.path()).empty(), qPrintable(QString::number(length)));
+        }
+    }
+
+    void abortedAnywhereTheLastCopyComesBack_data() {
+        QTest::addColumn<int>("step");
+        for (int step = 1; step <= kSteps; ++step)
+            QTest::addRow("step %d", step) << step;
+    }
+    void abortedAnywhereTheLastCopyComesBack() {
+        QFETCH(int, step);
+        QTemporaryDir home;
+        QProcess program;
+        program.start(QCoreApplication::applicationFilePath(),
+                      {"--abort-at", home.path(), QString::number(step)});
+        QVERIFY(program.waitForFinished(30000));
+        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+        QVERIFY2(program.readAllStandardOutput().contains("copied"), "no copy was made");
+        // The file that was saved on the way is as it was saved.
+        const QString original = home.filePath("story.txnproj");
+        QCOMPARE(QFileInfo::exists(original), step > kSavedAfter);
+        if (step > kSavedAfter) {
+            const auto saved = openProject(original);
+            TXN_OK(saved);
+            QCOMPARE(saved->project.noise.seed.value, std::uint32_t{kSavedAfter});
+        }
+        const auto copies = findRecoverable(home.filePath("recovery"));
+        QCOMPARE(copies.size(), std::size_t{1});
+        QCOMPARE(copies.front().originalPath, step > kSavedAfter ? original : QString());
+        const auto copy = readRecovered(copies.front());
+        TXN_OK(copy);
+        Project wanted;
+        for (int i = 1; i <= step; ++i)
+            takeStep(wanted, i);
+        QVERIFY(copy->project.noise == wanted.noise);
+        QVERIFY(copy->project.texton == wanted.texton);
+        QVERIFY(copy->project.mix.map == wanted.mix.map);
     }
 };
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == "--abort-at")
+        return abortAt(arguments.value(2), arguments.value(3).toInt());
     if (arguments.value(1) == "--be-killed")
         return beKilled(arguments.value(2), arguments.value(3).toDouble());
     TestRecovery test;
