@@ -15,6 +15,8 @@
 #include <QFileDialog>
 #include <QMimeData>
 #include <QMutex>
+#include <QPointer>
+#include <QTimer>
 #include <QUrl>
 #include <QWheelEvent>
 
@@ -88,7 +90,17 @@ class NoBrowser : public QObject {
 /// Does to the window whatever comes to its mind; equal seeds give equal wishes.
 class Monkey {
   public:
-    Monkey(Studio& studio, unsigned seed) : m_studio(studio), m_random(seed) {}
+    Monkey(Studio& studio, unsigned seed) : m_studio(studio), m_random(seed) {
+        // The menu of a tool button keeps the click that opened it until it closes.
+        constexpr int kLongMs = 500;
+        QObject::connect(&m_menus, &QTimer::timeout, [this] {
+            QWidget* open = QApplication::activePopupWidget();
+            if (open != nullptr && open == m_openMenu)
+                open->close();
+            m_openMenu = QApplication::activePopupWidget();
+        });
+        m_menus.start(kLongMs);
+    }
 
     /// What files it may drop.
     void give(const QStringList& files) { m_files = files; }
@@ -329,6 +341,8 @@ class Monkey {
     Studio& m_studio;
     std::mt19937 m_random;
     QStringList m_files;
+    QTimer m_menus;
+    QPointer<QWidget> m_openMenu;
 };
 
 } // namespace
