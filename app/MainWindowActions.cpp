@@ -543,6 +543,10 @@ void MainWindow::createHelpActions() {
                 "Endless material from a photo, by the method of Galerne, Leclaire and Moisan "
                 "(2014, "
                 "2017). Free software under the GNU General Public License, version 3 or later."));
+            QString details;
+            for (const char* library : libraryVersions())
+                details += QLatin1String(library) + QLatin1Char('\n');
+            box->setDetailedText(details);
             box->setIconPixmap(QIcon(QStringLiteral(":/icons/texton-studio.svg")).pixmap(64, 64));
             box->setObjectName(QStringLiteral("aboutBox"));
             box->setAttribute(Qt::WA_DeleteOnClose);

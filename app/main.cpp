@@ -30,12 +30,24 @@ void print(FILE* stream, const QString& text) {
     std::fputs(qPrintable(text + QLatin1Char('\n')), stream);
 }
 
+void printVersion(bool verbose) {
+    print(stdout, QStringLiteral("texton-studio %1").arg(QCoreApplication::applicationVersion()));
+    if (!verbose)
+        return;
+    for (const char* library : txn::libraryVersions())
+        print(stdout, QLatin1String(library));
+    // Qt comes in versions that programs built with others run with.
+    print(stdout, QStringLiteral("Qt, running: %1").arg(QLatin1String(qVersion())));
+}
+
 /// What may be asked for on the command line. Its texts are in the language of the moment.
 struct Options {
     QCommandLineOption help{{QStringLiteral("h"), QStringLiteral("help")},
                             Help::tr("Show this help.")};
     QCommandLineOption version{{QStringLiteral("v"), QStringLiteral("version")},
                                Help::tr("Show the version.")};
+    QCommandLineOption verbose{QStringLiteral("verbose"),
+                               Help::tr("With --version: those of all libraries, too.")};
     QCommandLineOption language{QStringLiteral("lang"),
                                 Help::tr("Language of the window, such as en or fr."),
                                 Help::tr("LANGUAGE")};
@@ -44,7 +56,7 @@ struct Options {
     Options() {
         parser.setApplicationDescription(Help::tr(
             "Makes endless material from a photo. FILES may be photos, textons or a project."));
-        parser.addOptions({help, version, language});
+        parser.addOptions({help, version, verbose, language});
         parser.addPositionalArgument(QStringLiteral("FILES"),
                                      Help::tr("What to open."),
                                      QStringLiteral("[FILES...]"));
@@ -70,8 +82,7 @@ int main(int argc, char** argv) {
     }
     const QString asked = options.parser.value(options.language);
     if (options.parser.isSet(options.version)) {
-        print(stdout,
-              QStringLiteral("texton-studio %1").arg(QCoreApplication::applicationVersion()));
+        printVersion(options.parser.isSet(options.verbose));
         return 0;
     }
     if (options.parser.isSet(options.help)) { // needs no display
@@ -95,7 +106,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Texton Studio"));
-    QApplication::setDesktopFileName(QStringLiteral("texton-studio"));
+    QApplication::setDesktopFileName(QStringLiteral(TXN_APP_ID));
     txn::app::Settings settings;
     const QString language = asked.isEmpty() ? settings.language() : asked;
     txn::app::installLanguage(application, language);

@@ -26,5 +26,6 @@ void addCompare(CLI::App& app, Session& session);
 void addSheet(CLI::App& app, Session& session);
 void addInfo(CLI::App& app, Session& session);
 void addSample(CLI::App& app, Session& session);
+void addThumbnail(CLI::App& app, Session& session);
 
 } // namespace txn::cli

@@ -61,9 +61,21 @@ int fail(std::string message, int code) {
     return code;
 }
 
+int printVersion(bool verbose) {
+    std::cout << "Texton Studio " << txn::kProgramVersion << '\n';
+    if (verbose) {
+        for (const char* library : txn::libraryVersions())
+            std::cout << library << '\n';
+    }
+    return std::cout.flush() ? 0 : fail("cannot write to standard output", 1);
+}
+
 int run(int argc, char** argv, txn::cli::Session& session) {
     CLI::App app("Textons and endless texture noise from a photograph of a material.", "texton");
-    app.set_version_flag("--version", std::string("Texton Studio ") + txn::kProgramVersion);
+    bool version = false;
+    bool verbose = false;
+    app.add_flag("--version", version, "Tell the version");
+    app.add_flag("--verbose", verbose, "With --version: those of all libraries, too");
     app.require_subcommand(0, 1); // none: told below, since an unknown word is told better
     app.footer("Example:\n  texton compute wood.jpg -o wood.exr && "
                "texton noise wood.exr -o wood_4k.png --size 4096x4096\n"
@@ -78,13 +90,16 @@ int run(int argc, char** argv, txn::cli::Session& session) {
     txn::cli::addCompare(app, session);
     txn::cli::addInfo(app, session);
     txn::cli::addSample(app, session);
+    txn::cli::addThumbnail(app, session);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)
-            return app.exit(error); // --help and --version
+            return app.exit(error); // --help
         return fail(std::string(error.what()) + " (see 'texton --help')", 2);
     }
+    if (version)
+        return printVersion(verbose);
     if (!session.run)
         return fail("give a subcommand, such as compute or noise (see 'texton --help')", 2);
     const auto result = session.run();

@@ -22,3 +22,14 @@ endif()
 if(TXN_BUILD_BENCH)
   find_package(benchmark REQUIRED)
 endif()
+
+# What --version --verbose tells, as C++ literals.
+set(TXN_LIBRARY_VERSIONS)
+foreach(library "OpenImageIO ${OIIO_VERSION}" "FFTW ${FFTW_VERSION}" "L-BFGS ${LBFGS_VERSION}"
+                "Little CMS ${LCMS_VERSION}" "libseccomp ${SECCOMP_VERSION}" "TBB ${TBB_VERSION}"
+                "Eigen ${Eigen3_VERSION}" "GLM ${glm_VERSION}" "tinyobjloader ${TINYOBJ_VERSION}"
+                "JSON for Modern C++ ${nlohmann_json_VERSION}" "CLI11 ${CLI11_VERSION}"
+                "libepoxy ${EPOXY_VERSION}" "Qt ${Qt6_VERSION}")
+  list(APPEND TXN_LIBRARY_VERSIONS "\"${library}\"")
+endforeach()
+list(JOIN TXN_LIBRARY_VERSIONS ",\n        " TXN_LIBRARY_VERSIONS)

@@ -31,6 +31,10 @@
         <source>texton-studio: %1 See texton-studio --help.</source>
         <translation>texton-studio: %1 Consulte texton-studio --help.</translation>
     </message>
+    <message>
+        <source>With --version: those of all libraries, too.</source>
+        <translation>Con --version: también las de todas las bibliotecas.</translation>
+    </message>
 </context>
 <context>
     <name>Warnings</name>

@@ -31,6 +31,10 @@
         <source>texton-studio: %1 See texton-studio --help.</source>
         <translation>texton-studio&#xa0;: %1 Voir texton-studio --help.</translation>
     </message>
+    <message>
+        <source>With --version: those of all libraries, too.</source>
+        <translation>Avec --version : celles de toutes les bibliothèques aussi.</translation>
+    </message>
 </context>
 <context>
     <name>Warnings</name>

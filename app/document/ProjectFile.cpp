@@ -294,10 +294,13 @@ readMix(CborReader reader, const QString& folder, MixSettings& mix, QStringList&
 QByteArray encodeProject(const Project& project,
                          const ViewState& view,
                          ExemplarStorage storage,
-                         const QString& projectFolder) {
+                         const QString& projectFolder,
+                         const QByteArray& thumbnail) {
     QCborMap map;
     map[QStringLiteral("format")] = kFormat;
     map[QStringLiteral("version")] = kVersion;
+    if (!thumbnail.isEmpty())
+        map[QStringLiteral("thumbnail")] = thumbnail;
     if (project.source)
         map[QStringLiteral("exemplar")] = sourceValue(*project.source, storage, projectFolder);
     if (project.importedTexton)
@@ -381,9 +384,13 @@ Result<void> writeWhole(const QString& path, const QByteArray& bytes) {
     return files.commit();
 }
 
-Result<void> saveProject(const Project& project, const ViewState& view, const QString& path) {
+Result<void> saveProject(const Project& project,
+                         const ViewState& view,
+                         const QString& path,
+                         const QByteArray& thumbnail) {
     const auto storage = project.linked ? ExemplarStorage::Linked : ExemplarStorage::Embedded;
-    const QByteArray bytes = encodeProject(project, view, storage, QFileInfo(path).absolutePath());
+    const QByteArray bytes =
+        encodeProject(project, view, storage, QFileInfo(path).absolutePath(), thumbnail);
     if (auto written = writeWhole(path, bytes); !written)
         return Error{written.error().code,
                      written.error().message + "; please choose another place"};

@@ -25,12 +25,14 @@ enum class ExemplarStorage { Embedded, Linked };
 /// Project files (.txnproj): CBOR (RFC 8949), self-described, a map whose first entry names format
 /// and version; docs/FORMATS.md. They hold data only. The path of a linked exemplar is kept
 /// relative to the project's folder; where that would spell out the whole path from the root, the
-/// exemplar is embedded all the same, and of a mesh only the name is kept. Any thread; reading
+/// exemplar is embedded all the same, and of a mesh only the name is kept. The thumbnail, a PNG, is
+/// for file managers. Any thread; reading
 /// decodes the exemplar and may take a while.
 [[nodiscard]] QByteArray encodeProject(const Project& project,
                                        const ViewState& view,
                                        ExemplarStorage storage,
-                                       const QString& projectFolder);
+                                       const QString& projectFolder,
+                                       const QByteArray& thumbnail = {});
 /// Errors: Unreadable for what is damaged or of a later version, NotFound for a linked exemplar
 /// that has gone; the message names the file.
 [[nodiscard]] Result<SavedProject>
@@ -41,8 +43,10 @@ decodeProject(const QByteArray& bytes, const QString& path, Links links = Links:
 
 /// Writes aside and renames: the old file or the new one, whole. Embeds the exemplar unless the
 /// project is to be linked.
-[[nodiscard]] Result<void>
-saveProject(const Project& project, const ViewState& view, const QString& path);
+[[nodiscard]] Result<void> saveProject(const Project& project,
+                                       const ViewState& view,
+                                       const QString& path,
+                                       const QByteArray& thumbnail = {});
 [[nodiscard]] Result<SavedProject> openProject(const QString& path, Links links = Links::Inside);
 
 } // namespace txn::app

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/Autosave.h"
 
-#include "app/display/PicturePyramid.h"
-#include "core/image/ImageGeometry.h"
-#include "core/material/MapStack.h"
-#include "core/sheet/ContactSheet.h"
+#include "app/files/Thumbnail.h"
 
-#include <QBuffer>
 #include <QCborMap>
 #include <QCborValue>
 #include <QCryptographicHash>
@@ -23,30 +19,6 @@ const QString kEnding = QStringLiteral(".recovery");
 const QString kFormat = QStringLiteral("texton-studio-recovery");
 const QString kContent = QStringLiteral("content");
 const QString kLockEnding = QStringLiteral(".lock");
-constexpr int kThumbnailPx = 192;
-
-/// What the artist would see again: the part of the photo that was used, or the texton.
-QImage preview(const Project& project) {
-    if (project.importedTexton)
-        return toQImage(firstPicture(textonPicture(project.importedTexton->texton, {0, 0}),
-                                     project.importedTexton->maps));
-    const auto picture = project.source ? project.source->picture() : Error{};
-    if (!picture)
-        return {};
-    const auto& crop = project.edit.crop;
-    const auto part = crop ? txn::crop((*picture)->image, *crop) : Error{};
-    return toQImage(firstPicture(part ? *part : (*picture)->image, project.source->maps()));
-}
-
-QByteArray thumbnail(const Project& project) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    const QImage image = preview(project);
-    if (!image.isNull() && buffer.open(QIODevice::WriteOnly))
-        image.scaled(kThumbnailPx, kThumbnailPx, Qt::KeepAspectRatio, Qt::SmoothTransformation)
-            .save(&buffer, "PNG");
-    return bytes;
-}
 
 /// Held as long as this process lives.
 std::unique_ptr<QLockFile> lockOf(const QString& file) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/FileController.h"
 
+#include "app/files/Thumbnail.h"
 #include "app/look/Words.h"
 #include "app/settings/Settings.h"
 #include "core/mixing/MixingMap.h"
@@ -378,7 +379,7 @@ void FileController::saveTo(const QString& path, const std::function<void()>& th
                     tr("Saving"),
                     [this, path, then, project = m_document.project(), view = m_document.view()](
                         JobContext&) -> Delivery {
-                        const auto saved = saveProject(project, view, path);
+                        const auto saved = saveProject(project, view, path, thumbnail(project));
                         return [this, saved, path, then, project] {
                             if (!saved) {
                                 tell(saved.error());

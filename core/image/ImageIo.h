@@ -70,6 +70,7 @@ struct LoadOptions {
 void startImageReading();
 
 struct SaveOptions {
+    std::optional<ImageFormat> fileFormat; ///< unset: by the ending of the name
     /// Unset: 8 bits for PNG, JPEG, TIFF, TGA, BMP, WebP; half for EXR; float for HDR.
     std::optional<SampleFormat> sampleFormat;
     std::vector<std::string> channelNames; ///< empty: Y, RGB or the channel's number

@@ -340,7 +340,7 @@ Result<ImageWriter> ImageWriter::open(const Path& path,
                                       const Layout& layout,
                                       const SaveOptions& options,
                                       OutputFiles* together) {
-    const auto type = imageFormatForPath(path);
+    const auto type = options.fileFormat ? Result(*options.fileFormat) : imageFormatForPath(path);
     if (!type)
         return type.error();
     const FormatTraits& traits = formatTraits(*type);

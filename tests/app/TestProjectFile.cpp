@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/ProjectFile.h"
 #include "app/files/Autosave.h"
+#include "app/files/Thumbnail.h"
 #include "core/image/ImageIo.h"
 #include "tests/helpers/Textons.h"
 #include "tests/helpers/Verify.h"
@@ -166,6 +167,23 @@ class TestProjectFile : public QObject {
             QCOMPARE(opened->project.source->name(), "stone.png");
             QCOMPARE(opened->project.source->hash(), (*source)->hash());
         }
+    }
+
+    void fileManagersFindAPicture() {
+        const auto source = openSource(writePicture(m_folder, "stone.png"));
+        TXN_OK(source);
+        Project project;
+        project.source = *source;
+        project.edit.crop = Rect{0, 0, {24, 12}};
+        const QString path = m_folder.filePath("seen.txnproj");
+        TXN_OK(saveProject(project, {}, path, thumbnail(project)));
+        const QString small = m_folder.filePath("seen");
+        QCOMPARE(
+            QProcess::execute(TXN_TEXTON_PROGRAM, {"thumbnail", path, "-o", small, "--size", "64"}),
+            0);
+        const QImage picture(small, "PNG");
+        QCOMPARE(picture.size(), QSize(64, 32));
+        TXN_OK(openProject(path));
     }
 
     void linkedExemplarsMoveWithTheirFolder() {

@@ -69,6 +69,8 @@ class TestStory : public QObject {
     void makesGaussianVersion();
     void makesPeriodicComponent();
     void makesSheet();
+    void drawsThumbnails();
+    void projectsWithoutAPictureSaySo();
 
   private:
     /// Standard output; the run must end well and say nothing on standard error.
@@ -479,6 +481,51 @@ void TestStory::makesSheet() {
     run("sheet wood.png -o sheet.png --support 16 --iterations 5");
     const Image sheet = image("sheet.png");
     QVERIFY(sheet.width() > 2 * 96 && sheet.height() > 2 * 64);
+}
+
+void TestStory::drawsThumbnails() {
+    run("thumbnail t.texton -o noname --size 40");
+    QCOMPARE(image("noname").size(), (Size{40, 40}));
+    run("thumbnail wood.png -o small.png --size 48");
+    const Image small = image("small.png");
+    QCOMPARE(small.size(), (Size{48, 32}));
+    // The same material on the average, and no larger than it was.
+    const auto mean = [](const Image& picture, int c) {
+        double sum = 0.0;
+        for (const float sample : picture.plane(c))
+            sum += static_cast<double>(sample);
+        return sum / static_cast<double>(picture.plane(c).size());
+    };
+    for (int c = 0; c < 3; ++c)
+        QVERIFY(std::abs(mean(small, c) - mean(image("wood.png"), c)) <= 0.01);
+    run("thumbnail wood.png -o same.png --size 1024");
+    QVERIFY(image("same.png") == image("wood.png"));
+}
+
+void TestStory::projectsWithoutAPictureSaySo() {
+    const QByteArray signature("\xd9\xd9\xf7");
+    const auto refused = [&](const QByteArray& content) {
+        QFile file(m_folder.filePath("a.txnproj"));
+        return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() &&
+               file.flush() && refuses("thumbnail a.txnproj -o never.png");
+    };
+    QVERIFY(refused(signature));
+    QVERIFY(refused(signature + QCborValue(QCborMap{{"format", "x"}}).toCbor()));
+    QVERIFY(refused(signature + QCborValue(QCborMap{{"thumbnail", 1}}).toCbor()));
+    QVERIFY(refused(signature +
+                    QCborValue(QCborMap{{"thumbnail", QByteArray("no picture")}}).toCbor()));
+    QCborMap inner{{"thumbnail", bytes("wood.png")}};
+    QVERIFY(refused(signature + QCborValue(QCborMap{{"view", inner}}).toCbor()));
+    QVERIFY(refused(signature + QByteArray(1'000'000, '\x81'))); // as deep as that
+    QVERIFY(
+        refused(signature + QByteArray("\xbf\x69thumbnail\x5b\x7f\xff\xff\xff\xff\xff\xff", 19)));
+    inner.insert(QStringLiteral("format"), QStringLiteral("x"));
+    QFile file(m_folder.filePath("b.txnproj"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(signature + QCborValue(inner).toCbor());
+    file.close();
+    run("thumbnail b.txnproj -o project.png --size 24");
+    QCOMPARE(image("project.png").size(), (Size{24, 16}));
 }
 
 QTEST_GUILESS_MAIN(TestStory)
