@@ -105,7 +105,7 @@ void MainWindow::createFileActions() {
            QStringLiteral("Ctrl+E"),
            [this] { openExport(); });
     action(QStringLiteral("file.screenshot"),
-           tr("Save &picture of the noise..."),
+           tr("Save picture of &the noise..."),
            tr("Save what the noise view shows."),
            QStringLiteral("Ctrl+Shift+E"),
            [this] { saveScreenshot(); });
@@ -225,7 +225,7 @@ void MainWindow::createViewActions() {
            QStringLiteral("F"),
            [this] { m_views->fit(); });
     action(QStringLiteral("view.zoomIn"),
-           tr("Zoom &in"),
+           tr("&Zoom in"),
            tr("Larger, at the mouse."),
            QStringLiteral("Ctrl++"),
            [this] { m_views->zoomBy(kZoomStep); });
@@ -281,7 +281,7 @@ void MainWindow::createViewActions() {
            "-",
            -1.0 / 3.0);
     expose("view.exposureReset",
-           tr("N&ormal exposure"),
+           tr("&Normal exposure"),
            tr("Show the values as they are."),
            "0",
            0.0);
@@ -345,7 +345,7 @@ void MainWindow::createTextonActions() {
            [this] { m_pipeline.keepTexton(); });
     QAction* kept =
         action(QStringLiteral("texton.showKept"),
-               tr("Show the kept one (&A/B)"),
+               tr("Show &the kept one (A/B)"),
                tr("Look at the kept texton and its noise, and back at the present one."),
                QStringLiteral("B"),
                [this] { m_pipeline.showKept(!m_pipeline.isShowingKept()); });
@@ -387,7 +387,7 @@ void MainWindow::createTextonActions() {
         });
     };
     method("texton.adsn",
-           tr("Gaussian version: &ADSN"),
+           tr("&Gaussian version: ADSN"),
            tr("Random phases and random strengths: what texton noise comes to."),
            "A",
            GaussianMethod::Adsn);

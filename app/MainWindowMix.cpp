@@ -151,13 +151,13 @@ void MainWindow::createMapActions() {
            QStringLiteral("Shift+T"),
            [this] { m_mix->makeStrips(0.0); });
     action(QStringLiteral("mix.stripsDown"),
-           tr("Strips, top to b&ottom"),
+           tr("Strips, top to bottom"),
            tr("One strip for each texton, from the first material at the top to the second one at "
               "the bottom."),
            QStringLiteral("Ctrl+Shift+T"),
            [this] { m_mix->makeStrips(90.0); });
     action(QStringLiteral("mix.passage"),
-           tr("Smooth passa&ge"),
+           tr("Smooth passage"),
            tr("From the first material on the left to the second one on the right, slowly at both "
               "ends."),
            QStringLiteral("Shift+D"),
@@ -189,7 +189,7 @@ void MainWindow::createMapActions() {
         show->setChecked(m_document.view().mapShown);
     });
     action(QStringLiteral("mix.import"),
-           tr("I&mport a map..."),
+           tr("Import a map..."),
            tr("Take a gray picture as the map: black is the first material, white the second."),
            QStringLiteral("Ctrl+Shift+M"),
            [this] { chooseMapToImport(); });

@@ -1145,7 +1145,7 @@
         <translation>Escribir textones, texturas y shaders para otros programas.</translation>
     </message>
     <message>
-        <source>Save &amp;picture of the noise...</source>
+        <source>Save picture of &amp;the noise...</source>
         <translation>Guardar la &amp;imagen del ruido...</translation>
     </message>
     <message>
@@ -1293,7 +1293,7 @@
         <translation>Oscurecer todo un tercio de paso.</translation>
     </message>
     <message>
-        <source>N&amp;ormal exposure</source>
+        <source>&amp;Normal exposure</source>
         <translation>E&amp;xposición normal</translation>
     </message>
     <message>
@@ -1549,7 +1549,7 @@
         <translation>Foto dentro del proyecto</translation>
     </message>
     <message>
-        <source>Gaussian version: &amp;ADSN</source>
+        <source>&amp;Gaussian version: ADSN</source>
         <translation>Versión gaussiana: A&amp;DSN</translation>
     </message>
     <message>
@@ -1573,7 +1573,7 @@
         <translation>Cuánto se aparta el textón de la foto; vea el panel Textón.</translation>
     </message>
     <message>
-        <source>Zoom &amp;in</source>
+        <source>&amp;Zoom in</source>
         <translation>&amp;Acercar</translation>
     </message>
     <message>
@@ -1749,7 +1749,7 @@
         <translation>Mostrar el textón conservado y su ruido, y de nuevo el actual.</translation>
     </message>
     <message>
-        <source>Show the kept one (&amp;A/B)</source>
+        <source>Show &amp;the kept one (A/B)</source>
         <translation>Mostrar el conservado (&amp;A/B)</translation>
     </message>
     <message>
@@ -1893,7 +1893,7 @@
         <translation>Poner el mapa sobre el ruido: azul es el primer material, ámbar el segundo.</translation>
     </message>
     <message>
-        <source>I&amp;mport a map...</source>
+        <source>Import a map...</source>
         <translation>Importar u&amp;n mapa...</translation>
     </message>
     <message>
@@ -1929,7 +1929,7 @@
         <translation>Bandas de i&amp;zquierda a derecha</translation>
     </message>
     <message>
-        <source>Strips, top to b&amp;ottom</source>
+        <source>Strips, top to bottom</source>
         <translation>Bandas de arriba aba&amp;jo</translation>
     </message>
     <message>
@@ -1937,7 +1937,7 @@
         <translation>Una banda por textón, del primer material arriba al segundo abajo.</translation>
     </message>
     <message>
-        <source>Smooth passa&amp;ge</source>
+        <source>Smooth passage</source>
         <translation>&amp;Transición suave</translation>
     </message>
     <message>

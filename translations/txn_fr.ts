@@ -1145,7 +1145,7 @@
         <translation>Écrire des textons, textures et shaders pour d&apos;autres programmes.</translation>
     </message>
     <message>
-        <source>Save &amp;picture of the noise...</source>
+        <source>Save picture of &amp;the noise...</source>
         <translation>Enregistrer l&apos;&amp;image du bruit...</translation>
     </message>
     <message>
@@ -1293,7 +1293,7 @@
         <translation>Assombrir tout d&apos;un tiers de diaphragme.</translation>
     </message>
     <message>
-        <source>N&amp;ormal exposure</source>
+        <source>&amp;Normal exposure</source>
         <translation>&amp;Exposition normale</translation>
     </message>
     <message>
@@ -1549,8 +1549,8 @@
         <translation>Photo dans le projet</translation>
     </message>
     <message>
-        <source>Gaussian version: &amp;ADSN</source>
-        <translation>Version gaussienne&#xa0;: &amp;ADSN</translation>
+        <source>&amp;Gaussian version: ADSN</source>
+        <translation>&amp;Version gaussienne&#xa0;: ADSN</translation>
     </message>
     <message>
         <source>Gaussian version: &amp;RPN</source>
@@ -1573,7 +1573,7 @@
         <translation>Écart entre le texton et la photo&#xa0;; voir le panneau Texton.</translation>
     </message>
     <message>
-        <source>Zoom &amp;in</source>
+        <source>&amp;Zoom in</source>
         <translation>&amp;Agrandir</translation>
     </message>
     <message>
@@ -1686,7 +1686,7 @@
     </message>
     <message>
         <source>Mesh, any &amp;surface</source>
-        <translation>Maillage, toute s&amp;urface</translation>
+        <translation>&amp;Maillage, toute surface</translation>
     </message>
     <message>
         <source>What the noise is shown on.</source>
@@ -1738,7 +1738,7 @@
     </message>
     <message>
         <source>&amp;Keep to compare</source>
-        <translation>&amp;Garder pour comparer</translation>
+        <translation>Garder &amp;pour comparer</translation>
     </message>
     <message>
         <source>Keep the present texton as A. Change something, then look at both by turns.</source>
@@ -1749,12 +1749,12 @@
         <translation>Montre le texton gardé et son bruit, puis de nouveau l&apos;actuel.</translation>
     </message>
     <message>
-        <source>Show the kept one (&amp;A/B)</source>
+        <source>Show &amp;the kept one (A/B)</source>
         <translation>Voir le texton gardé (&amp;A/B)</translation>
     </message>
     <message>
         <source>Kept and present side &amp;by side</source>
-        <translation>Gardé et actuel &amp;côte à côte</translation>
+        <translation>Gardé &amp;et actuel côte à côte</translation>
     </message>
     <message>
         <source>The noise of the kept texton on the left, that of the present one on the right.</source>
@@ -1794,7 +1794,7 @@
     </message>
     <message>
         <source>&amp;Look</source>
-        <translation>&amp;Regarder</translation>
+        <translation>R&amp;egarder</translation>
     </message>
     <message>
         <source>The mouse paints nothing.</source>
@@ -1834,7 +1834,7 @@
     </message>
     <message>
         <source>Ro&amp;und gradient</source>
-        <translation>Dégradé r&amp;ond</translation>
+        <translation>Dégradé ro&amp;nd</translation>
     </message>
     <message>
         <source>Drag from the middle: one material inside, the other around it.</source>
@@ -1842,7 +1842,7 @@
     </message>
     <message>
         <source>L&amp;arger brush</source>
-        <translation>Pinceau plus &amp;grand</translation>
+        <translation>Pin&amp;ceau plus grand</translation>
     </message>
     <message>
         <source>Make the brush a quarter larger.</source>
@@ -1850,7 +1850,7 @@
     </message>
     <message>
         <source>S&amp;maller brush</source>
-        <translation>Pinceau plus &amp;petit</translation>
+        <translation>Pincea&amp;u plus petit</translation>
     </message>
     <message>
         <source>Make the brush a quarter smaller.</source>
@@ -1893,8 +1893,8 @@
         <translation>Poser la carte sur le bruit : bleu pour la première matière, ambre pour la seconde.</translation>
     </message>
     <message>
-        <source>I&amp;mport a map...</source>
-        <translation>Im&amp;porter une carte...</translation>
+        <source>Import a map...</source>
+        <translation>Importer une carte...</translation>
     </message>
     <message>
         <source>Take a gray picture as the map: black is the first material, white the second.</source>
@@ -1926,10 +1926,10 @@
     </message>
     <message>
         <source>S&amp;trips, left to right</source>
-        <translation>Bandes de &amp;gauche à droite</translation>
+        <translation>Bande&amp;s de gauche à droite</translation>
     </message>
     <message>
-        <source>Strips, top to b&amp;ottom</source>
+        <source>Strips, top to bottom</source>
         <translation>Bandes de haut en &amp;bas</translation>
     </message>
     <message>
@@ -1937,8 +1937,8 @@
         <translation>Une bande par texton, de la première matière en haut à la seconde en bas.</translation>
     </message>
     <message>
-        <source>Smooth passa&amp;ge</source>
-        <translation>Passa&amp;ge doux</translation>
+        <source>Smooth passage</source>
+        <translation>Passage doux</translation>
     </message>
     <message>
         <source>From the first material on the left to the second one on the right, slowly at both ends.</source>

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QThreadPool>
@@ -296,6 +297,31 @@ class TestWindow : public QObject {
             QCOMPARE(clipped(studio.window()).join(' '), QString());
             QCOMPARE(cutOff(studio.window()).join(' '), QString());
         }
+        installLanguage(*qApp, "en");
+    }
+
+    void lettersOfMenusAreOfOneEntry_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "fr", "es", "de"})
+            QTest::newRow(language) << language;
+    }
+    void lettersOfMenusAreOfOneEntry() {
+        QFETCH(QString, language);
+        Studio studio(language);
+        QStringList twice;
+        for (const QMenu* menu : studio.window().findChildren<QMenu*>()) {
+            QMap<QChar, QString> taken;
+            for (const QAction* action : menu->actions()) {
+                const auto keys = QKeySequence::mnemonic(action->text());
+                if (keys.isEmpty() || !action->isVisible())
+                    continue;
+                const QChar letter = keys.toString().back();
+                if (taken.contains(letter))
+                    twice.append(taken[letter] + " = " + action->text());
+                taken[letter] = action->text();
+            }
+        }
+        QCOMPARE(twice.join(", "), QString());
         installLanguage(*qApp, "en");
     }
 
