@@ -195,15 +195,18 @@ Result<void> Reader::readSamples() {
                                                       m_spec.nchannels,
                                                       OIIO::TypeFloat,
                                                       block.data())
-                                : m_input->read_scanlines(0,
-                                                          0,
-                                                          top,
-                                                          top + rows,
-                                                          m_spec.z,
-                                                          0,
-                                                          m_spec.nchannels,
-                                                          OIIO::TypeFloat,
-                                                          block.data());
+                          : rowByRow
+                              // Not read_scanlines(), which allocates 64 MiB each time.
+                              ? m_input->read_scanline(top, m_spec.z, OIIO::TypeFloat, block.data())
+                              : m_input->read_scanlines(0,
+                                                        0,
+                                                        top,
+                                                        top + rows,
+                                                        m_spec.z,
+                                                        0,
+                                                        m_spec.nchannels,
+                                                        OIIO::TypeFloat,
+                                                        block.data());
         // OpenImageIO's TIFF reader reports broken strips, and success all the same.
         if (!done || (m_header.format != ImageFormat::Jpeg && m_input->has_error()))
             return damaged(m_input->geterror());
