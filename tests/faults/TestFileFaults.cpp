@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/Autosave.h"
-#include "tests/faults/Tally.h"
 #include "tests/faults/Victim.h"
+#include "tests/helpers/Tally.h"
 
 #include <QDir>
 #include <QDirIterator>
