@@ -32,6 +32,10 @@ Result<Support> Support::mask(Size size, std::vector<std::uint8_t> inside) {
         return Error{ErrorCode::InvalidArgument, "the mask does not match its size"};
     if (std::none_of(inside.begin(), inside.end(), [](std::uint8_t v) { return v != 0; }))
         return Error{ErrorCode::InvalidArgument, "the mask of the support is empty"};
+    // Equal supports have equal bytes, whatever stood for "inside".
+    std::ranges::transform(inside, inside.begin(), [](std::uint8_t v) -> std::uint8_t {
+        return v != 0 ? 1 : 0;
+    });
     return Support{SupportShape::Mask, size, std::move(inside)};
 }
 

@@ -498,6 +498,7 @@ class TestTextonSolver : public QObject {
 
     void badMasksAreErrors() {
         TXN_FAILS_WITH(Support::mask({2, 2}, {0, 0, 0, 0}), ErrorCode::InvalidArgument);
+        QVERIFY(*Support::mask({2, 1}, {0, 17}) == *Support::mask({2, 1}, {0, 1}));
         TXN_FAILS_WITH(Support::mask({2, 2}, {1, 0, 0}), ErrorCode::InvalidArgument);
         TXN_FAILS_WITH(Support::mask({0, 2}, {}), ErrorCode::InvalidArgument);
         TXN_FAILS_WITH(Support::mask({-1, -2}, {1, 1}), ErrorCode::InvalidArgument);
