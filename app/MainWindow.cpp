@@ -363,6 +363,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
+void MainWindow::sayOutOfMemory() {
+    m_messages->show(MessageBar::Kind::Warning,
+                     tr("That did not work: %1").arg(JobRunner::outOfMemory()));
+}
+
 void MainWindow::askAboutExport() {
     auto* question = new QMessageBox(QMessageBox::Question,
                                      tr("Stop the export?"),

@@ -47,6 +47,8 @@ class MainWindow : public QMainWindow {
     ActionRegistry& actions() { return *m_actions; }
     MessageBar& messages() { return *m_messages; }
     ViewArea& views() { return *m_views; }
+    /// For whoever notices it outside of a job.
+    void sayOutOfMemory();
 
   protected:
     void closeEvent(QCloseEvent* event) override;

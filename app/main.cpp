@@ -3,6 +3,7 @@
 #include "app/MainWindow.h"
 #include "app/look/Language.h"
 #include "app/look/Theme.h"
+#include "app/memory/Guarded.h"
 #include "core/base/OutputFiles.h"
 #include "core/base/Version.h"
 
@@ -104,7 +105,7 @@ int main(int argc, char** argv) {
     // Whatever else draws with OpenGL in this process, such as a platform plug-in, keeps its
     // objects when its window is docked elsewhere. Our own noise has a context of its own.
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
+    txn::app::Guarded<QApplication> application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Texton Studio"));
     QApplication::setDesktopFileName(QStringLiteral(TXN_APP_ID));
     txn::app::Settings settings;
@@ -114,6 +115,7 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/texton-studio.svg")));
 
     txn::app::Application studio(settings, txn::app::Application::standardRecoveryFolder());
+    application.outOfMemory = [&studio] { studio.window().sayOutOfMemory(); };
     studio.window().show();
     studio.start(options.parser.positionalArguments());
     return QApplication::exec();

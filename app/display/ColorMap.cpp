@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/display/ColorMap.h"
 
+#include "app/memory/NewImage.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +37,7 @@ QImage falseColors(const Image& image, double low, double high) {
     std::array<QRgb, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i)
         table[i] = viridis(static_cast<double>(i) / (table.size() - 1));
-    QImage picture(image.width(), image.height(), QImage::Format_RGB32);
+    QImage picture = newImage({image.width(), image.height()}, QImage::Format_RGB32);
     const double scale = 255.0 / (high - low);
     for (int y = 0; y < image.height(); ++y) {
         const auto row = image.row(0, y);

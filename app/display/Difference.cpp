@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/display/Difference.h"
 
+#include "app/memory/NewImage.h"
+
 #include <algorithm>
 
 namespace txn::app {
@@ -11,7 +13,7 @@ constexpr int kDifferenceGain = 8;
 } // namespace
 
 QImage difference(const QImage& a, const QImage& b) {
-    QImage result(a.size(), QImage::Format_ARGB32_Premultiplied);
+    QImage result = newImage(a.size(), QImage::Format_ARGB32_Premultiplied);
     const auto byte = [](int x, int y) {
         return std::clamp(128 + kDifferenceGain * (x - y), 0, 255);
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/display/PicturePyramid.h"
 
+#include "app/memory/NewImage.h"
 #include "core/image/ColorTransfer.h"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ QImage PicturePyramid::draw(const PictureWindow& window, const DisplaySettings& 
     const auto channels = shownChannels(level.channels(), display);
     const bool gray = channels[0] == channels[1] && channels[1] == channels[2];
 
-    QImage result(window.size, QImage::Format_ARGB32_Premultiplied);
+    QImage result = newImage(window.size, QImage::Format_ARGB32_Premultiplied);
     result.fill(Qt::transparent);
     for (int y = 0; y < window.size.height(); ++y) {
         const Tap& row = down[static_cast<std::size_t>(y)];
@@ -187,7 +188,7 @@ QImage PicturePyramid::draw(const PictureWindow& window, const DisplaySettings& 
 }
 
 QImage toQImage(const Image& image, const DisplaySettings& display) {
-    QImage result(image.width(), image.height(), QImage::Format_ARGB32_Premultiplied);
+    QImage result = newImage({image.width(), image.height()}, QImage::Format_ARGB32_Premultiplied);
     const ToScreen toScreen(image.transfer(), display.exposure);
     const auto channels = shownChannels(image.channels(), display);
     for (int y = 0; y < image.height(); ++y) {

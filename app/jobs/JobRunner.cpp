@@ -131,14 +131,16 @@ void JobRunner::start(const std::shared_ptr<Job>& job) {
         kJobKinds - static_cast<int>(job->kind()));
 }
 
+QString JobRunner::outOfMemory() {
+    return tr("there is not enough memory; try a smaller picture or size");
+}
+
 /// What a library throws ends the job, not the program.
 Delivery JobRunner::guarded(Job& job) {
     try {
         return job.run();
     } catch (const std::bad_alloc&) {
-        return [this, kind = job.kind()] {
-            emit jobFailed(kind, tr("there is not enough memory; try a smaller picture or size"));
-        };
+        return [this, kind = job.kind()] { emit jobFailed(kind, outOfMemory()); };
     } catch (const std::exception& error) {
         return [this, kind = job.kind(), reason = QString::fromUtf8(error.what())] {
             emit jobFailed(kind, reason);

@@ -85,6 +85,9 @@ class JobRunner : public QObject {
     std::optional<Info> info(JobKind kind) const;
     std::vector<Info> infos() const;
 
+    /// The reason, for messages.
+    static QString outOfMemory();
+
   signals:
     /// Some job started, ended, waits, or was cancelled.
     void jobsChanged();

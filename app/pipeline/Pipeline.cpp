@@ -308,7 +308,6 @@ void Pipeline::updateMixture() {
     const MixLook look{m_finishedMix, project.noise.contrast, project.noise.brightness};
     bool changed = m_mixLook != look;
     if (changed) {
-        m_mixLook = look;
         m_mixTextons.reset();
         if (look.mix) {
             auto textons = std::make_shared<std::vector<Texton>>();
@@ -317,6 +316,7 @@ void Pipeline::updateMixture() {
                     adjusted(one.texton, look.mix->maps, look.contrast, look.brightness));
             m_mixTextons = std::move(textons);
         }
+        m_mixLook = look; // only now: without memory for it, the next update tries again
     }
     if (m_previewEnds) {
         m_previewMap.reset();
@@ -324,12 +324,12 @@ void Pipeline::updateMixture() {
     }
     const MapLook map{project.mix.map, mapPlacement(project.mix), project.mix.repeats};
     if (m_mapLook != map) {
-        m_mapLook = map;
         auto made = std::make_shared<MixingMap>();
         made->rho = map.map.image();
         made->placement = map.placement;
         made->boundary = map.repeats ? MapBoundary::Repeat : MapBoundary::Clamp;
         m_mixingMap = std::move(made);
+        m_mapLook = map;
         changed = true;
     }
     changed = changed || m_shownMap != mixingMap();

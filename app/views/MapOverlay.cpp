@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/MapOverlay.h"
 
+#include "app/memory/NewImage.h"
+
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -19,9 +21,9 @@ constexpr int kMostTexels = 1024;
 QImage veilOf(const MixingMap& map) {
     const int step =
         std::max(1, (std::max(map.rho.width(), map.rho.height()) + kMostTexels - 1) / kMostTexels);
-    QImage veil((map.rho.width() + step - 1) / step,
-                (map.rho.height() + step - 1) / step,
-                QImage::Format_RGB32);
+    QImage veil =
+        newImage({(map.rho.width() + step - 1) / step, (map.rho.height() + step - 1) / step},
+                 QImage::Format_RGB32);
     std::array<QRgb, 256> colors{};
     for (int i = 0; i < 256; ++i) {
         const auto mix = [i](int a, int b) { return a + (b - a) * i / 255; };

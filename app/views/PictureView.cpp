@@ -3,6 +3,7 @@
 
 #include "app/display/Difference.h"
 #include "app/look/Theme.h"
+#include "app/memory/NewImage.h"
 #include "app/mixing/MapPainter.h"
 #include "app/pipeline/Pipeline.h"
 #include "app/settings/Settings.h"
@@ -332,7 +333,7 @@ void PictureView::requestNoise() {
 
 QImage PictureView::drawnNoise() const {
     const NoiseFrame& frame = m_feed->frame();
-    QImage result(screen(), QImage::Format_ARGB32_Premultiplied);
+    QImage result = newImage(screen(), QImage::Format_ARGB32_Premultiplied);
     result.fill(Qt::transparent);
     if (frame.image.isNull() || !noiseTexton())
         return result;
@@ -359,7 +360,7 @@ QImage PictureView::drawn(Picture picture) {
     const ViewState& view = m_document.view();
     const auto pyramid = pyramidOf(picture);
     if (!pyramid) {
-        QImage nothing(screen(), QImage::Format_ARGB32_Premultiplied);
+        QImage nothing = newImage(screen(), QImage::Format_ARGB32_Premultiplied);
         nothing.fill(Qt::transparent);
         return nothing;
     }
