@@ -378,7 +378,7 @@ class TestGlContext : public QObject {
     void contextsComeAndGo() {
         NoiseRenderer renderer = fullRenderer();
         std::optional<Image> first;
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < 100; ++i) {
             const auto context = HeadlessContext::create();
             TXN_OK(context);
             const auto image = drawn(context->gl(), renderer, PlaneView{}, {}, kSize);
