@@ -4,6 +4,8 @@
 #include "app/jobs/ThreadPriority.h"
 #include "core/mesh/BuiltinMeshes.h"
 
+#include <new>
+
 namespace txn::app {
 namespace {
 
@@ -14,6 +16,19 @@ constexpr double kMovingMs = 15.0;
 /// Without a new request for so long, things are still.
 constexpr auto kStillAfter = 60ms;
 constexpr QSize kRehearsalSize{16, 16};
+
+/// As the painter; without memory it is an error like others.
+Result<std::optional<NoiseFrame>> drawn(NoisePainter& painter,
+                                        const NoiseRequest& request,
+                                        double scale,
+                                        const std::function<bool()>& stop) {
+    try {
+        return painter.draw(request, scale, stop);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::TooLarge,
+                     "there is not enough memory to draw the noise; make the window smaller"};
+    }
+}
 
 } // namespace
 
@@ -145,14 +160,14 @@ bool NoiseWorker::isOutdated(const Task& task) {
 
 void NoiseWorker::draw(const Task& task, NoisePainter& painter) {
     if (task.rehearsal) {
-        static_cast<void>(painter.draw(task.request, 1.0, [] { return false; }));
+        static_cast<void>(drawn(painter, task.request, 1.0, [] { return false; }));
         return;
     }
     const double scale = task.coarse ? painter.scaleFor(task.request, kMovingMs) : 1.0;
     // A coarse frame is drawn to its end: while things move, one that is a little late is better
     // than none.
     auto frame =
-        painter.draw(task.request, scale, [&] { return !task.coarse && isOutdated(task); });
+        drawn(painter, task.request, scale, [&] { return !task.coarse && isOutdated(task); });
     bool complete = scale == 1.0;
     {
         const std::lock_guard lock(m_mutex);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/memory/Guarded.h"
 #include "app/pipeline/Pipeline.h"
+#include "app/views/NoiseService.h"
 #include "tests/faults/Shim.h"
 #include "tests/helpers/Tally.h"
+#include "tests/helpers/Textons.h"
 
 #include <QCoreApplication>
 #include <QtTest>
@@ -114,13 +116,49 @@ class TestMemoryFaults : public QObject {
                 problem += QStringLiteral(" does not recover %1").arg(studio.messages.join(' '));
             else if (!(studio.pipeline.texton()->texton == sound.pipeline.texton()->texton))
                 problem += QStringLiteral(" computes something else");
-            m_tally.count("memory ends at the n-th large allocation",
-                          problem.isEmpty()
-                              ? problem
-                              : QStringLiteral("n = %1: %2").arg(n).arg(problem.trimmed()));
+            count(n, problem);
         }
         QVERIFY(refusals > 0);
         QCOMPARE(m_tally.bad(), 0);
+    }
+
+    void theNoiseIsDrawnAgain() {
+        NoiseService service;
+        NoiseFeed feed(service);
+        int failures = 0;
+        QObject::connect(&feed, &NoiseFeed::failed, [&](const QString&) { ++failures; });
+        NoiseRequest request;
+        request.texton = std::make_shared<const Texton>(makeTexton({}));
+        request.size = {320, 200};
+        const auto want = [&](std::uint32_t seed) {
+            request.style.noise.seed = Seed{seed};
+            failures = 0;
+            feed.request(request);
+            return QTest::qWaitFor([&] { return feed.isCurrent() || failures > 0; }, kPatienceMs);
+        };
+        // FFTW ends the program where there is no memory for the tables of its first plan.
+        QVERIFY(want(1) && failures == 0);
+        int refusals = 0;
+        for (int n = 1; n <= (isLong() ? 20 : 6); ++n) {
+            failMemory(n - 1, kLarge);
+            QString problem = want(static_cast<std::uint32_t>(2 * n))
+                                  ? QString()
+                                  : QStringLiteral("neither noise nor a message");
+            refusals += failMemory(-1, kLarge) > 0 ? 1 : 0;
+            if (!want(static_cast<std::uint32_t>(2 * n + 1)) || failures > 0)
+                problem += QStringLiteral(" no noise afterwards");
+            count(n, problem);
+        }
+        QVERIFY(refusals > 0);
+        QCOMPARE(m_tally.bad(), 0);
+    }
+
+  private:
+    void count(int n, const QString& problem) {
+        m_tally.count("memory ends at the n-th large allocation",
+                      problem.isEmpty()
+                          ? problem
+                          : QStringLiteral("n = %1: %2").arg(n).arg(problem.trimmed()));
     }
 };
 
