@@ -826,6 +826,14 @@
         <source>%1 wants to open files outside its own folder. Do that only if you know where it comes from.</source>
         <translation>%1 möchte Dateien außerhalb des eigenen Ordners öffnen. Nur zulassen, wenn klar ist, woher das Projekt kommt.</translation>
     </message>
+    <message>
+        <source>%1 is open in another Texton Studio. Please choose another name.</source>
+        <translation>%1 ist in einem anderen Texton Studio geöffnet. Bitte einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another Texton Studio. This is a copy of it; please save it under another name.</source>
+        <translation>%1 ist in einem anderen Texton Studio geöffnet. Das hier ist eine Kopie; bitte unter einem anderen Namen sichern.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>

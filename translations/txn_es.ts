@@ -826,6 +826,14 @@
         <source>%1 wants to open files outside its own folder. Do that only if you know where it comes from.</source>
         <translation>%1 quiere abrir archivos fuera de su carpeta. Acéptelo solo si sabe de dónde viene.</translation>
     </message>
+    <message>
+        <source>%1 is open in another Texton Studio. Please choose another name.</source>
+        <translation>%1 está abierto en otro Texton Studio. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another Texton Studio. This is a copy of it; please save it under another name.</source>
+        <translation>%1 está abierto en otro Texton Studio. Esta es una copia; guárdela con otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>

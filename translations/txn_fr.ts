@@ -826,6 +826,14 @@
         <source>%1 wants to open files outside its own folder. Do that only if you know where it comes from.</source>
         <translation>%1 veut ouvrir des fichiers hors de son dossier. Acceptez seulement si vous savez d’où il vient.</translation>
     </message>
+    <message>
+        <source>%1 is open in another Texton Studio. Please choose another name.</source>
+        <translation>%1 est ouvert dans un autre Texton Studio. Veuillez choisir un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another Texton Studio. This is a copy of it; please save it under another name.</source>
+        <translation>%1 est ouvert dans un autre Texton Studio. Ceci en est une copie ; veuillez l&apos;enregistrer sous un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>txn::app::HistogramPanel</name>

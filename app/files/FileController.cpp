@@ -15,6 +15,7 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStandardPaths>
 #include <QUrl>
 
 namespace txn::app {
@@ -29,7 +30,8 @@ FileController::FileController(ProjectDocument& document,
                                Settings& settings,
                                QWidget& window)
     : QObject(&window), m_document(document), m_runner(runner), m_settings(settings),
-      m_window(window) {}
+      m_window(window), m_lock(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                               QStringLiteral("/locks")) {}
 
 void FileController::tell(const Error& error) {
     if (error.code != ErrorCode::Cancelled)
@@ -181,34 +183,32 @@ void FileController::openPictureOrTexton(const QString& path, const LoadOptions&
 }
 
 void FileController::openProjectFile(const QString& path, Links links) {
-    m_runner.submit(
-        JobKind::Open,
-        tr("Opening %1").arg(QFileInfo(path).fileName()),
-        [this, path, links, before = m_document.project()](JobContext&) -> Delivery {
-            auto saved = openProject(path, links);
-            return [this, saved = std::move(saved), path, before] {
-                if (!saved) {
-                    tell(saved.error());
-                    m_settings.removeRecentFile(path);
-                    emit recentFilesChanged();
-                    return;
-                }
-                if (!saved->outside.isEmpty()) {
-                    askForOutside(path, saved->outside);
-                    return;
-                }
-                const auto show = [this, saved = *saved, path] {
-                    m_document.reset(saved.project, saved.view, QFileInfo(path).absoluteFilePath());
-                    warn(saved.warnings);
-                    remember(path);
-                };
-                // What was changed while it was read has not been asked about.
-                if (m_document.project() == before)
-                    show();
-                else
-                    whenSafe(show);
-            };
-        });
+    m_runner.submit(JobKind::Open,
+                    tr("Opening %1").arg(QFileInfo(path).fileName()),
+                    [this, path, links, before = m_document.project()](JobContext&) -> Delivery {
+                        auto saved = openProject(path, links);
+                        return [this, saved = std::move(saved), path, before] {
+                            if (!saved) {
+                                tell(saved.error());
+                                m_settings.removeRecentFile(path);
+                                emit recentFilesChanged();
+                                return;
+                            }
+                            if (!saved->outside.isEmpty()) {
+                                askForOutside(path, saved->outside);
+                                return;
+                            }
+                            const auto show = [this, saved = *saved, path] {
+                                showProject(saved, QFileInfo(path).absoluteFilePath());
+                                remember(path);
+                            };
+                            // What was changed while it was read has not been asked about.
+                            if (m_document.project() == before)
+                                show();
+                            else
+                                whenSafe(show);
+                        };
+                    });
 }
 
 void FileController::askForOutside(const QString& path, const QStringList& files) {
@@ -342,6 +342,7 @@ void FileController::newProject() {
     whenSafe([this] {
         m_runner.cancel(JobKind::Open);
         m_document.reset({}, {}, {});
+        m_lock.release();
     });
 }
 
@@ -373,6 +374,11 @@ void FileController::saveAs(const std::function<void()>& then) {
 void FileController::saveTo(const QString& path, const std::function<void()>& then) {
     if (m_runner.isBusy(JobKind::Save)) { // a second one would take the place of the first
         emit note(tr("Still saving. Please try again in a moment."));
+        return;
+    }
+    if (!m_lock.take(path)) {
+        warn({tr("%1 is open in another Texton Studio. Please choose another name.")
+                  .arg(QFileInfo(path).fileName())});
         return;
     }
     m_runner.submit(JobKind::Save,
@@ -424,10 +430,21 @@ void FileController::whenSafe(const std::function<void()>& proceed) {
     box->open();
 }
 
+void FileController::showProject(const SavedProject& saved, const QString& path) {
+    const bool isFree = path.isEmpty() || m_lock.take(path);
+    m_document.reset(saved.project, saved.view, isFree ? path : QString());
+    QStringList warnings = saved.warnings;
+    if (!isFree)
+        warnings.prepend(
+            tr("%1 is open in another Texton Studio. This is a copy of it; please save "
+               "it under another name.")
+                .arg(QFileInfo(path).fileName()));
+    warn(warnings);
+}
+
 void FileController::recover(const SavedProject& saved, const QString& originalPath) {
-    m_document.reset(saved.project, saved.view, originalPath);
+    showProject(saved, originalPath);
     m_document.markRecovered();
-    warn(saved.warnings);
 }
 
 void FileController::warn(const QStringList& warnings) {

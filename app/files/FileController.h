@@ -3,6 +3,7 @@
 
 #include "app/document/ProjectDocument.h"
 #include "app/document/ProjectFile.h"
+#include "app/files/ProjectLock.h"
 #include "app/jobs/JobRunner.h"
 
 #include <QObject>
@@ -82,6 +83,8 @@ class FileController : public QObject {
     /// Whether a project may open files that lie outside its folder; then opens it again.
     void askForOutside(const QString& path, const QStringList& files);
     void show(const Opened& opened, const QString& name);
+    /// As a copy without a file of its own where another program has it open.
+    void showProject(const SavedProject& saved, const QString& path);
     void saveAs(const std::function<void()>& then);
     void saveTo(const QString& path, const std::function<void()>& then);
     void remember(const QString& path);
@@ -92,6 +95,7 @@ class FileController : public QObject {
     JobRunner& m_runner;
     Settings& m_settings;
     QWidget& m_window;
+    ProjectLock m_lock; ///< of the project that is open
 };
 
 } // namespace txn::app

@@ -7,6 +7,7 @@
 #include <QAbstractButton>
 #include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -298,6 +299,41 @@ class TestWindow : public QObject {
             QCOMPARE(cutOff(studio.window()).join(' '), QString());
         }
         installLanguage(*qApp, "en");
+    }
+
+    void twoProgramsDoNotSaveOverEachOther() {
+        Studio first;
+        QVERIFY(first.openSmall());
+        const QString path = first.path("shared.txnproj");
+        QVERIFY(saveProject(first.project(), {}, path));
+        first.window().files().open(path);
+        QVERIFY(first.settle());
+        QCOMPARE(first.document().filePath(), path);
+        Studio second;
+        second.window().files().open(path);
+        QVERIFY(second.settle());
+        // It is a copy, which asks for a name when it is saved.
+        QVERIFY(second.project().source != nullptr);
+        QVERIFY(second.document().filePath().isEmpty());
+        QVERIFY(second.find<QLabel>("messageText")->text().contains("shared.txnproj"));
+        second.trigger("file.save");
+        QTRY_VERIFY(second.find<QFileDialog>("saveDialog") != nullptr);
+        auto* dialog = second.find<QFileDialog>("saveDialog");
+        emit dialog->fileSelected(path);
+        QVERIFY(second.settle());
+        QVERIFY(second.document().filePath().isEmpty());
+        const QString other = first.path("other.txnproj");
+        emit dialog->fileSelected(other);
+        QVERIFY(second.settle());
+        QCOMPARE(second.document().filePath(), other);
+        dialog->close();
+        // Once the first one has gone on to something else, its project is free.
+        first.document().undoStack().setClean();
+        first.trigger("file.new");
+        QVERIFY(first.settle());
+        second.window().files().open(path);
+        QVERIFY(second.settle());
+        QCOMPARE(second.document().filePath(), path);
     }
 
     void lettersOfMenusAreOfOneEntry_data() {
