@@ -78,10 +78,12 @@ class Saving final : public Victim {
         : m_path(folder + QStringLiteral("/work.txnproj")),
           m_settings(m_home.filePath(QStringLiteral("settings.ini"))),
           m_files(m_document, m_runner, m_settings, m_window) {
-        QObject::connect(&m_files, &FileController::problem, [this](const QString& text) {
+        const auto fail = [this](const QString& text) {
             m_problem = text;
             m_loop.quit();
-        });
+        };
+        QObject::connect(&m_files, &FileController::problem, fail);
+        QObject::connect(&m_files, &FileController::warning, fail);
         QObject::connect(&m_files, &FileController::note, &m_loop, &QEventLoop::quit);
     }
     Outcome write(int variant) override {
