@@ -29,6 +29,12 @@ Application::Application(Settings& settings, const QString& recoveryFolder)
                      [this](const QString& text) {
                          m_window->messages().show(MessageBar::Kind::Warning, text);
                      });
+    // The helper takes a quarter of a second of a core to load its libraries, which the first
+    // texton needs more. Whoever opens a picture before that starts it.
+    QObject::connect(&m_pipeline, &Pipeline::textonChanged, m_window.get(), [this] {
+        if (m_pipeline.texton() && m_pipeline.texton()->finished)
+            startImageReading();
+    });
 }
 
 Application::~Application() = default;
@@ -39,7 +45,6 @@ QString Application::standardRecoveryFolder() {
 }
 
 void Application::start(const QStringList& files) {
-    startImageReading();
     if (!files.isEmpty()) {
         m_window->files().open(files);
         return;

@@ -9,8 +9,13 @@
 namespace txn::app {
 namespace {
 
-/// Often enough to see the texton form, seldom enough to cost little.
-constexpr qint64 kPublishEveryMs = 80;
+/// From one intermediate texton to the next: often enough to see it form, seldom enough that
+/// drawing its noise takes little of what the fit needs, where the processor does both.
+constexpr qint64 kOftenMs = 80;
+constexpr qint64 kSeldomMs = 250;
+qint64 pauseAfter(qint64 elapsedMs) {
+    return std::clamp(elapsedMs / 4, kOftenMs, kSeldomMs);
+}
 /// Before that, a fit still looks like the noise it began with.
 constexpr int kFirstUsable = 12;
 /// From one point of the error curve to the next.
@@ -36,7 +41,7 @@ computeTexton(const ExemplarResult& exemplar,
     watch.start();
     const ComputeParams params = computeParams(settings);
     std::vector<ErrorPoint> curve;
-    qint64 published = -kPublishEveryMs;
+    qint64 published = -kOftenMs;
     int iterations = 0;
     const auto observe = [&](const ComputeProgress& now) {
         iterations = now.iteration;
@@ -48,7 +53,8 @@ computeTexton(const ExemplarResult& exemplar,
             curve.push_back({now.iteration, now.error()});
         const bool usable = params.method == TextonMethod::Projections ||
                             now.iteration >= std::min(kFirstUsable, now.iterations);
-        if (!usable || now.share >= 1.0 || watch.elapsed() - published < kPublishEveryMs)
+        if (!usable || now.share >= 1.0 ||
+            watch.elapsed() - published < pauseAfter(watch.elapsed()))
             return;
         auto made = toResult(now.texton(), exemplar.exemplar.maps);
         made->curve = curve;

@@ -24,6 +24,12 @@ Pipeline::Pipeline(ProjectDocument& document, JobRunner& runner, QObject* parent
             &ProjectDocument::projectChanged,
             &m_updateSoon,
             qOverload<>(&QTimer::start));
+    // Queued: in the middle of an update, the texton's job is still to come.
+    connect(&m_runner,
+            &JobRunner::jobsChanged,
+            this,
+            &Pipeline::updateVerdict,
+            Qt::QueuedConnection);
     connect(&m_runner, &JobRunner::jobsChanged, this, &Pipeline::stateChanged);
 }
 
@@ -344,6 +350,8 @@ void Pipeline::updateVerdict() {
             emit verdictChanged();
         return;
     }
+    if (m_runner.isBusy(JobKind::Texton))
+        return; // on a core of its own it is there much earlier; advice comes after it
     const auto key = m_exemplar.value;
     if (!m_verdict.want(key))
         return;

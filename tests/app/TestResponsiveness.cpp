@@ -209,7 +209,7 @@ class TestResponsiveness : public QObject {
                  QByteArray::number(watchdog.percentile(0.99)));
     }
 
-    void theFirstResultComesSoon() {
+    void theFirstResultComesWithinTwoSeconds() {
         Studio studio; // waits until the window is active, which is not the program's time
         QElapsedTimer clock;
         clock.start();
@@ -219,8 +219,7 @@ class TestResponsiveness : public QObject {
                    !studio.window().views().views()[3]->noiseFrame().image.isNull();
         }));
         qInfo("first texton and noise after %lld ms", static_cast<long long>(clock.elapsed()));
-        // The target is 2 s (docs/BENCHMARKS.md); machines that share their cores take longer.
-        QVERIFY(clock.elapsed() <= 8000);
+        QVERIFY(clock.elapsed() <= 2000);
     }
 };
 
