@@ -21,17 +21,8 @@ const QString kContent = QStringLiteral("content");
 const QString kLockEnding = QStringLiteral(".lock");
 
 /// Held as long as this process lives.
-std::unique_ptr<QLockFile> lockOf(const QString& file) {
-    auto lock = std::make_unique<QLockFile>(file + kLockEnding);
-    lock->setStaleLockTime(0);
-    lock->tryLock(0);
-    return lock;
-}
-
-bool isAlive(const QString& lockFile) {
-    QLockFile lock(lockFile);
-    lock.setStaleLockTime(0);
-    return !lock.tryLock(0);
+std::unique_ptr<FileLock> lockOf(const QString& file) {
+    return std::make_unique<FileLock>(file + kLockEnding);
 }
 
 QByteArray hashOf(const QByteArray& content) {
@@ -145,15 +136,15 @@ bool mayBeRecoverable(const QString& folder) {
 }
 
 std::vector<RecoveredProject> findRecoverable(const QString& folder) {
-    // Looking at the lock of a program that died removes it.
-    for (const QFileInfo& info :
-         QDir(folder).entryInfoList({QStringLiteral("*") + kEnding + kLockEnding}, QDir::Files))
-        static_cast<void>(isAlive(info.filePath()));
+    // Taking the lock of a program that died, and letting go of it, removes it.
+    for (const QString& lock :
+         QDir(folder).entryList({QStringLiteral("*") + kEnding + kLockEnding}, QDir::Files))
+        const FileLock left(QDir(folder).filePath(lock));
     std::vector<RecoveredProject> found;
     for (const QFileInfo& info :
          QDir(folder).entryInfoList({QStringLiteral("*") + kEnding}, QDir::Files)) {
-        if (isAlive(info.filePath() + kLockEnding))
-            continue;
+        if (lockOf(info.filePath())->isTaken())
+            continue; // of a program that lives
         const QCborMap map = readWrapper(info.filePath());
         if (map.isEmpty())
             continue;

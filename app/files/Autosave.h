@@ -3,11 +3,11 @@
 
 #include "app/document/ProjectDocument.h"
 #include "app/document/ProjectFile.h"
+#include "app/files/FileLock.h"
 #include "app/jobs/JobRunner.h"
 
 #include <QDateTime>
 #include <QImage>
-#include <QLockFile>
 #include <QTimer>
 #include <atomic>
 #include <memory>
@@ -54,7 +54,7 @@ class Autosave : public QObject {
     ProjectDocument& m_document;
     JobRunner& m_runner;
     QString m_file;
-    std::unique_ptr<QLockFile> m_lock; ///< held while this program lives
+    std::unique_ptr<FileLock> m_lock; ///< held while this program lives
     /// Tells a job that still writes: what it wrote is to go again.
     std::shared_ptr<std::atomic<bool>> m_givenUp = std::make_shared<std::atomic<bool>>(false);
     QTimer m_soon;

@@ -432,6 +432,8 @@ void FileController::whenSafe(const std::function<void()>& proceed) {
 
 void FileController::showProject(const SavedProject& saved, const QString& path) {
     const bool isFree = path.isEmpty() || m_lock.take(path);
+    if (!isFree || path.isEmpty())
+        m_lock.release(); // of the project that was open before
     m_document.reset(saved.project, saved.view, isFree ? path : QString());
     QStringList warnings = saved.warnings;
     if (!isFree)
