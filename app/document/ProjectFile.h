@@ -26,8 +26,7 @@ enum class ExemplarStorage { Embedded, Linked };
 /// and version; docs/FORMATS.md. They hold data only. The path of a linked exemplar is kept
 /// relative to the project's folder; where that would spell out the whole path from the root, the
 /// exemplar is embedded all the same, and of a mesh only the name is kept. The thumbnail, a PNG, is
-/// for file managers. Any thread; reading
-/// decodes the exemplar and may take a while.
+/// for file managers. Any thread; reading decodes the exemplar and may take a while.
 [[nodiscard]] QByteArray encodeProject(const Project& project,
                                        const ViewState& view,
                                        ExemplarStorage storage,
