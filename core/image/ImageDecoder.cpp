@@ -68,6 +68,7 @@ class Reader {
     Result<void> open();
     Result<void> checkSpec() const;
     Result<void> readSamples();
+    bool readRows(int top, int rows, std::vector<float>& block);
     void store(int firstRow, int rows, const std::vector<float>& block);
     void readAttributes();
     void settleAlpha();
@@ -182,31 +183,7 @@ Result<void> Reader::readSamples() {
     std::vector<float> block(rowSamples * blockRows);
     for (int y = 0; y < m_spec.height;) {
         const int rows = std::min(static_cast<int>(blockRows), m_spec.height - y);
-        const int top = m_spec.y + y;
-        const bool done = tiled ? m_input->read_tiles(0,
-                                                      0,
-                                                      m_spec.x,
-                                                      m_spec.x + m_spec.width,
-                                                      top,
-                                                      top + rows,
-                                                      m_spec.z,
-                                                      m_spec.z + 1,
-                                                      0,
-                                                      m_spec.nchannels,
-                                                      OIIO::TypeFloat,
-                                                      block.data())
-                          : rowByRow
-                              // Not read_scanlines(), which allocates 64 MiB each time.
-                              ? m_input->read_scanline(top, m_spec.z, OIIO::TypeFloat, block.data())
-                              : m_input->read_scanlines(0,
-                                                        0,
-                                                        top,
-                                                        top + rows,
-                                                        m_spec.z,
-                                                        0,
-                                                        m_spec.nchannels,
-                                                        OIIO::TypeFloat,
-                                                        block.data());
+        const bool done = readRows(m_spec.y + y, rows, block);
         // OpenImageIO's TIFF reader reports broken strips, and success all the same.
         if (!done || (m_header.format != ImageFormat::Jpeg && m_input->has_error()))
             return damaged(m_input->geterror());
@@ -224,6 +201,34 @@ Result<void> Reader::readSamples() {
             return damaged(message);
     }
     return {};
+}
+
+/// From the top one on, whole rows of tiles where there are tiles.
+bool Reader::readRows(int top, int rows, std::vector<float>& block) {
+    if (m_spec.tile_width > 0)
+        return m_input->read_tiles(0,
+                                   0,
+                                   m_spec.x,
+                                   m_spec.x + m_spec.width,
+                                   top,
+                                   top + rows,
+                                   m_spec.z,
+                                   m_spec.z + 1,
+                                   0,
+                                   m_spec.nchannels,
+                                   OIIO::TypeFloat,
+                                   block.data());
+    if (rows == 1) // read_scanlines() allocates 64 MiB each time
+        return m_input->read_scanline(top, m_spec.z, OIIO::TypeFloat, block.data());
+    return m_input->read_scanlines(0,
+                                   0,
+                                   top,
+                                   top + rows,
+                                   m_spec.z,
+                                   0,
+                                   m_spec.nchannels,
+                                   OIIO::TypeFloat,
+                                   block.data());
 }
 
 /// Sorts interleaved rows into planes.
