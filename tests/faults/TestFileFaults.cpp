@@ -245,7 +245,14 @@ class TestFileFaults : public QObject {
             if (isLeftover(name))
                 problem = QStringLiteral("still has ") + name;
         }
-        m_tally.count(QStringLiteral("leftovers are swept by the next save"), problem);
+        m_tally.count(QStringLiteral("leftovers are swept by the next save"), problem, kind);
+    }
+
+    static QString triedAt(const QString& kind, int n, bool nameless) {
+        return QStringLiteral("%1, n = %2%3")
+            .arg(kind)
+            .arg(n)
+            .arg(nameless ? QString() : QStringLiteral(", named"));
     }
 
     void kindRows() {
@@ -309,11 +316,8 @@ class TestFileFaults : public QObject {
                                kind == QLatin1String("autosave") ? m_old[kind] : old,
                                m_new[kind]);
                     m_tally.count(QStringLiteral("the n-th %1 fails").arg(call),
-                                  problem.isEmpty() ? QString()
-                                                    : QStringLiteral("%1, %2, n = %3%4: %5")
-                                                          .arg(kind, call)
-                                                          .arg(n)
-                                                          .arg(nameless ? "" : ", named", problem));
+                                  problem,
+                                  triedAt(kind, n, nameless));
                     if (!end.reached)
                         break;
                 }
@@ -336,11 +340,8 @@ class TestFileFaults : public QObject {
                     const QString problem =
                         judged(end, contentOf(kind, folder), m_old[kind], m_new[kind]);
                     m_tally.count(QStringLiteral("killed at the n-th %1").arg(call),
-                                  problem.isEmpty() ? QString()
-                                                    : QStringLiteral("%1, %2, n = %3%4: %5")
-                                                          .arg(kind, call)
-                                                          .arg(n)
-                                                          .arg(nameless ? "" : ", named", problem));
+                                  problem,
+                                  triedAt(kind, n, nameless));
                     if (!end.reached)
                         break;
                     if (kind != QLatin1String("autosave"))
@@ -375,7 +376,8 @@ class TestFileFaults : public QObject {
             const Content old =
                 kind == QLatin1String("autosave") && now.empty() ? now : m_old[kind];
             m_tally.count(QStringLiteral("killed at a random instant"),
-                          judged(end, now, old, m_new[kind]));
+                          judged(end, now, old, m_new[kind]),
+                          kind);
         }
         if (kind != QLatin1String("autosave"))
             sweeps(kind, folder);
@@ -423,11 +425,9 @@ class TestFileFaults : public QObject {
             if (isAutosave && now.empty())
                 old = {};
             const QString problem = judged(end, now, old, m_new[kind]);
-            m_tally.count(
-                readOnly ? QStringLiteral("read-only disk") : QStringLiteral("full disk"),
-                problem.isEmpty()
-                    ? QString()
-                    : QStringLiteral("%1, level %2: %3").arg(kind).arg(level).arg(problem));
+            m_tally.count(readOnly ? QStringLiteral("read-only disk") : QStringLiteral("full disk"),
+                          problem,
+                          QStringLiteral("%1, level %2").arg(kind).arg(level));
         }
         QCOMPARE(::umount2(disk.toLocal8Bit(), MNT_DETACH), 0);
     }
@@ -449,11 +449,9 @@ class TestFileFaults : public QObject {
             const Content now = contentOf(kind, folder);
             Content old = kind == QLatin1String("autosave") && now.empty() ? now : m_old[kind];
             const QString problem = judged(end, now, old, m_new[kind]);
-            m_tally.count(
-                QStringLiteral("quota"),
-                problem.isEmpty()
-                    ? QString()
-                    : QStringLiteral("%1, level %2: %3").arg(kind).arg(level).arg(problem));
+            m_tally.count(QStringLiteral("quota"),
+                          problem,
+                          QStringLiteral("%1, level %2").arg(kind).arg(level));
         }
     }
 

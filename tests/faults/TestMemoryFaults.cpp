@@ -156,9 +156,8 @@ class TestMemoryFaults : public QObject {
   private:
     void count(int n, const QString& problem) {
         m_tally.count("memory ends at the n-th large allocation",
-                      problem.isEmpty()
-                          ? problem
-                          : QStringLiteral("n = %1: %2").arg(n).arg(problem.trimmed()));
+                      problem,
+                      QStringLiteral("n = %1").arg(n));
     }
 };
 

@@ -29,14 +29,18 @@ class Tally {
         std::fflush(stdout);
     }
 
-    /// One try; problem: empty if all was well.
-    void count(const QString& name, const QString& problem) {
+    /// One try; problem: empty if all was well. where: which try that was.
+    void count(const QString& name, const QString& problem, const QString& where = {}) {
         Count& count = m_counts[name];
         ++count.runs;
         if (problem.isEmpty())
             return;
         ++count.bad;
-        std::fprintf(stderr, "%s: %s\n", qPrintable(name), qPrintable(problem));
+        std::fprintf(stderr,
+                     "%s: %s: %s\n",
+                     qPrintable(name),
+                     qPrintable(where),
+                     qPrintable(problem.trimmed()));
     }
     int bad() const {
         int sum = 0;
