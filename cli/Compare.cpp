@@ -11,7 +11,7 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct CompareArguments {
     std::filesystem::path a;
     std::filesystem::path b;
     std::optional<int> lag;
@@ -31,7 +31,7 @@ Result<Texture> loadTexture(const std::filesystem::path& path) {
     return Texture(std::move(*exemplar));
 }
 
-Result<void> run(const Options& options) {
+Result<void> run(const CompareArguments& options) {
     std::optional<BusySign> busy("Comparing");
     const auto a = loadTexture(options.a);
     if (!a)
@@ -91,7 +91,7 @@ void addCompare(CLI::App& app, Session& session) {
                     std::string(kWhyModelErrorStays) +
                     "\n"
                     "Example:\n  texton compare wood.jpg wood_4k.png");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareArguments>();
     command->add_option("A", options->a, "Picture or texton")->required();
     command->add_option("B", options->b, "Picture or texton")->required();
     command

@@ -15,7 +15,7 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct ComputeArguments {
     ExemplarOptions exemplar;
     SolveOptions solve;
     std::vector<std::filesystem::path> outputs;
@@ -39,7 +39,7 @@ Result<SolveOptions> fitFor(const std::vector<std::filesystem::path>& outputs,
 }
 
 /// That nothing which is read is written over, and all can be written.
-Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
+Result<void> checkOutputs(const ComputeArguments& options, const MaterialMaps& maps) {
     for (const auto& output : options.outputs) {
         for (const auto& file : textonFiles(output, maps)) {
             for (const auto& input : inputFiles(options.exemplar)) {
@@ -51,7 +51,7 @@ Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
     return checkTextonOutputs(options.outputs, maps);
 }
 
-Result<void> run(const Options& options, const CancelToken& cancel) {
+Result<void> run(const ComputeArguments& options, const CancelToken& cancel) {
     const bool stack = !options.exemplar.stack.empty();
     if (!stack) {
         if (const auto ok = checkOutputs(options, {}); !ok)
@@ -149,7 +149,7 @@ void addCompute(CLI::App& app, Session& session) {
         "floor it is as close as one half of the photograph is to all of it.\n"
         "With --method projections:\n" +
         std::string(kWhyModelErrorStays));
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ComputeArguments>();
     addMaterialOptions(*command, options->exemplar);
     command
         ->add_option(

@@ -11,7 +11,7 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct GaussianArguments {
     ExemplarOptions exemplar;
     std::filesystem::path output;
     SaveOptions save;
@@ -21,7 +21,7 @@ struct Options {
     bool noPeriodic = false;
 };
 
-Result<void> run(const Options& options) {
+Result<void> run(const GaussianArguments& options) {
     if (const auto ok = checkPictureOutput(options.exemplar.path, options.output); !ok)
         return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
@@ -51,7 +51,7 @@ void addGaussian(CLI::App& app, Session& session) {
         "gaussian",
         "Make the Gaussian version of a material: what texton noise converges to");
     command->footer("Example:\n  texton gaussian wood.jpg -o wood_gaussian.png --size 1024x1024");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<GaussianArguments>();
     addExemplarOptions(*command, options->exemplar);
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     command->add_option("--model", options->model, "adsn (exactly Gaussian) or rpn (random phase)")

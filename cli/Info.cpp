@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct InfoArguments {
     std::filesystem::path path;
     bool json = false;
 };
@@ -44,7 +44,7 @@ Json describe(const TextonAsset& asset) {
     return json;
 }
 
-Result<void> run(const Options& options) {
+Result<void> run(const InfoArguments& options) {
     const auto loaded = loadTextonOrImage(options.path);
     if (!loaded)
         return loaded.error();
@@ -66,7 +66,7 @@ Result<void> run(const Options& options) {
 void addInfo(CLI::App& app, Session& session) {
     auto* command = app.add_subcommand("info", "Tell what a picture or texton file holds");
     command->footer("Example:\n  texton info wood.exr");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InfoArguments>();
     command->add_option("FILE", options->path, "Picture or texton")->required();
     command->add_flag("--json", options->json, "Print a JSON object instead of text");
     command->callback([options, &session] { session.run = [options] { return run(*options); }; });

@@ -28,7 +28,7 @@ constexpr std::size_t kSheetTextons = 5;
 constexpr Size kSheetTexton{300, 256}; ///< two kernels at least twice as large
 constexpr Size kSheetNoise{1600, 512};
 
-struct Options {
+struct MixArguments {
     ExemplarOptions a;
     ExemplarOptions b;
     SolveOptions solve;
@@ -47,7 +47,7 @@ struct Options {
 };
 
 /// The map that the options tell of, spread over the whole picture.
-Result<MixingMap> makeMap(const Options& options) {
+Result<MixingMap> makeMap(const MixArguments& options) {
     MixingMap map;
     map.placement = {0.0,
                      0.0,
@@ -73,7 +73,7 @@ Result<MixingMap> makeMap(const Options& options) {
 }
 
 /// That nothing which is read is written over, and all can be written.
-Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
+Result<void> checkOutputs(const MixArguments& options, const MaterialMaps& maps) {
     std::vector<std::filesystem::path> inputs = inputFiles(options.a);
     std::ranges::copy(inputFiles(options.b), std::back_inserter(inputs));
     if (options.map)
@@ -100,7 +100,7 @@ Result<void> checkOutputs(const Options& options, const MaterialMaps& maps) {
     return {};
 }
 
-Result<Size> chooseSupport(const Options& options, const Exemplar& a, const Exemplar& b) {
+Result<Size> chooseSupport(const MixArguments& options, const Exemplar& a, const Exemplar& b) {
     if (options.solve.support)
         return *options.solve.support;
     const BusySign sign("Looking for a support");
@@ -114,7 +114,7 @@ Result<Size> chooseSupport(const Options& options, const Exemplar& a, const Exem
     return Size{side, side};
 }
 
-Result<MixedTextons> computeTextons(const Options& options,
+Result<MixedTextons> computeTextons(const MixArguments& options,
                                     const Exemplar& a,
                                     const Exemplar& b,
                                     const CancelToken& cancel) {
@@ -139,7 +139,7 @@ Result<MixedTextons> computeTextons(const Options& options,
     return solver->result();
 }
 
-MixtureAsset makeAsset(const Options& options,
+MixtureAsset makeAsset(const MixArguments& options,
                        const Exemplar& a,
                        const Exemplar& b,
                        const MixedTextons& mixed,
@@ -162,7 +162,8 @@ MixtureAsset makeAsset(const Options& options,
 }
 
 /// As in figure 5 of [TN17]: some of the textons, and the noise below.
-Result<void> saveSheet(const MixtureAsset& asset, const NoiseGrid& grid, const Options& options) {
+Result<void>
+saveSheet(const MixtureAsset& asset, const NoiseGrid& grid, const MixArguments& options) {
     const auto last = asset.mixture.textons.size() - 1;
     std::vector<std::vector<Panel>> rows(2);
     for (std::size_t i = 0; i < kSheetTextons; ++i) {
@@ -191,7 +192,7 @@ struct Times {
     double bake = 0.0;
 };
 
-void reportJson(const Options& options,
+void reportJson(const MixArguments& options,
                 const MixtureAsset& asset,
                 const MixedTextons& mixed,
                 const NoiseParams& params,
@@ -222,7 +223,7 @@ void reportJson(const Options& options,
     printJson(json);
 }
 
-Result<void> run(const Options& options, const CancelToken& cancel) {
+Result<void> run(const MixArguments& options, const CancelToken& cancel) {
     if (options.map && (options.angle != 0.0 || options.ease != "linear"))
         return Error{ErrorCode::InvalidArgument,
                      "--angle and --ease are for gradients; leave them out with --map"};
@@ -321,7 +322,7 @@ void addMix(CLI::App& app, Session& session) {
         "Without a map, A on the left becomes B on the right; --angle 90 goes from top to bottom.\n"
         "In a map, black is A, white is B, and grey is in between.\n"
         "The distance tells how far the materials are apart, in standard deviations of a pixel.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MixArguments>();
     options->a.stackOption = "--stack-a";
     options->b.stackOption = "--stack-b";
     command->add_option("A", options->a.path, "Picture of the first material");

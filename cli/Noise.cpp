@@ -16,7 +16,7 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct NoiseArguments {
     std::filesystem::path texton;
     std::filesystem::path output;
     SaveOptions save;
@@ -29,7 +29,7 @@ struct Options {
     bool json = false;
 };
 
-Result<void> run(const Options& options, const CancelToken& cancel) {
+Result<void> run(const NoiseArguments& options, const CancelToken& cancel) {
     if (const auto ok = checkNotInput(options.texton, options.output); !ok)
         return ok.error();
     if (const auto format = imageFormatForPath(options.output); !format)
@@ -102,7 +102,7 @@ void addNoise(CLI::App& app, Session& session) {
                     "  texton noise wood.exr -o wood_huge.exr --size 30000x30000\n"
                     "Of a stack, all maps are made of the same impulses: one file each\n"
                     "(rock_color.png, rock_normal.png ...), or one EXR with a layer for each.");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<NoiseArguments>();
     command->add_option("TEXTON", options->texton, "Texton: .exr, .png or .texton")->required();
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addParsed(*command, "--size", options->size, parseWidthByHeight, "WxH", "Size in pixels")

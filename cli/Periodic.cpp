@@ -11,13 +11,13 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct PeriodicArguments {
     ExemplarOptions exemplar;
     std::filesystem::path output;
     SaveOptions save;
 };
 
-Result<void> run(const Options& options) {
+Result<void> run(const PeriodicArguments& options) {
     if (const auto ok = checkPictureOutput(options.exemplar.path, options.output); !ok)
         return ok.error();
     const auto exemplar = loadExemplar(options.exemplar);
@@ -39,7 +39,7 @@ void addPeriodic(CLI::App& app, Session& session) {
         "periodic",
         "Make the periodic component of a picture: the same without a seam when it repeats");
     command->footer("Example:\n  texton periodic wood.jpg -o wood_periodic.png");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PeriodicArguments>();
     addExemplarOptions(*command, options->exemplar);
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addDepth(*command, options->save);

@@ -13,13 +13,12 @@ namespace txn::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// "This is CBOR": the tag 55799.
 constexpr std::array<char, 3> kSignature{'\xd9', '\xd9', '\xf7'};
 
 /// Takes the byte string "thumbnail" of the outermost map, and stops there.
-class ThumbnailFinder final : public nlohmann::json_sax<Json> {
+class ThumbnailFinder final : public nlohmann::json_sax<nlohmann::json> {
   public:
     const std::vector<std::uint8_t>& found() const { return m_found; }
 
@@ -44,7 +43,7 @@ class ThumbnailFinder final : public nlohmann::json_sax<Json> {
     bool start_array(std::size_t) override { return ++m_depth <= kDeepest; }
     bool end_object() override { return leave(); }
     bool end_array() override { return leave(); }
-    bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
+    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
         return false;
     }
 
@@ -82,7 +81,7 @@ Result<Image> projectThumbnail(const fs::path& path) {
     if (!skipSignature(file))
         return Error{ErrorCode::Unreadable, quoted(path) + " is not a Texton Studio project"};
     ThumbnailFinder finder;
-    Json::sax_parse(file, &finder, Json::input_format_t::cbor);
+    nlohmann::json::sax_parse(file, &finder, nlohmann::json::input_format_t::cbor);
     if (finder.found().empty())
         return Error{ErrorCode::Unreadable,
                      quoted(path) + " holds no picture of itself; open it and save it again"};

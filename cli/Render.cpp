@@ -37,7 +37,7 @@ struct FilterChoice {
     int supersampling = 1;
 };
 
-struct Options {
+struct RenderArguments {
     std::filesystem::path texton;
     std::filesystem::path output;
     SaveOptions save;
@@ -92,8 +92,8 @@ std::optional<FilterChoice> parseFilter(const std::string& text) {
     return FilterChoice{Filter::None, static_cast<int>(side->front())};
 }
 
-/// Options that say nothing about the view asked for are mistakes.
-Result<void> checkOptions(const Options& options) {
+/// RenderArguments that say nothing about the view asked for are mistakes.
+Result<void> checkOptions(const RenderArguments& options) {
     const auto misplaced = [&](const std::string& name, const std::string& views) {
         return Error{ErrorCode::InvalidArgument,
                      name + " is for " + views + ", not for --view " + options.view};
@@ -119,7 +119,7 @@ OrbitCamera orbit(const Camera& camera) {
             camera.fieldOfView * kDegree};
 }
 
-Result<View> makeView(const Options& options, NoiseRenderer& renderer) {
+Result<View> makeView(const RenderArguments& options, NoiseRenderer& renderer) {
     const double x = options.center ? (*options.center)[0] : 0.0;
     const double y = options.center ? (*options.center)[1] : 0.0;
     // Low enough over the ground to see the horizon.
@@ -169,7 +169,7 @@ struct Drawn {
     bool isData = false; ///< then no light falls on it, and nothing around it is a colour
 };
 
-Result<Drawn> whatToDraw(const Options& options, const TextonAsset& asset) {
+Result<Drawn> whatToDraw(const RenderArguments& options, const TextonAsset& asset) {
     const Texton& texton = asset.texton;
     if (asset.maps.empty()) {
         if (options.map || options.light)
@@ -235,7 +235,7 @@ frameTime(double first, const std::function<Result<void>()>& draw, const CancelT
     return times.empty() ? first : times[times.size() / 2];
 }
 
-Result<void> run(const Options& options, const CancelToken& cancel) {
+Result<void> run(const RenderArguments& options, const CancelToken& cancel) {
     if (const auto ok = checkPictureOutput(options.texton, options.output); !ok)
         return ok.error();
     if (const auto ok = checkOptions(options); !ok)
@@ -335,7 +335,7 @@ void addRender(CLI::App& app, Session& session) {
     command->footer("Examples:\n"
                     "  texton render wood.exr -o ground.png --size 1920x1080 --view perspective\n"
                     "  texton render wood.exr -o teapot.png --view surface --mesh teapot.obj");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderArguments>();
     command->add_option("TEXTON", options->texton, "Texton: .exr, .png or .texton")->required();
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addParsed(*command,

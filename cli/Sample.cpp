@@ -11,7 +11,7 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct SampleArguments {
     std::string name;
     std::filesystem::path output;
     SaveOptions save;
@@ -19,7 +19,7 @@ struct Options {
     std::uint32_t seed = 1;
 };
 
-Result<void> run(const Options& options) {
+Result<void> run(const SampleArguments& options) {
     if (const auto ok = checkPictureOutput(options.output); !ok)
         return ok.error();
     std::optional<BusySign> busy("Drawing");
@@ -45,7 +45,7 @@ void addSample(CLI::App& app, Session& session) {
                 std::string(info.description) + "\n";
     }
     command->footer(list + "Example:\n  texton sample wood -o wood.png --size 512x512");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SampleArguments>();
     command->add_option("NAME", options->name, "Which material")
         ->required()
         ->check(CLI::IsMember(names));

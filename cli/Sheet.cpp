@@ -22,7 +22,7 @@ namespace {
 /// Larger exemplars show their middle, at 100 %.
 constexpr int kLargestPanel = 768;
 
-struct Options {
+struct SheetArguments {
     ExemplarOptions exemplar;
     SolveOptions solve;
     NoiseOptions noise;
@@ -55,7 +55,7 @@ std::vector<Panel> panels(const Exemplar& exemplar,
     return result;
 }
 
-Result<void> run(const Options& options, const CancelToken& cancel) {
+Result<void> run(const SheetArguments& options, const CancelToken& cancel) {
     for (const auto& input : inputFiles(options.exemplar)) {
         if (const auto ok = checkPictureOutput(input, options.output); !ok)
             return ok.error();
@@ -100,7 +100,7 @@ void addSheet(CLI::App& app, Session& session) {
         app.add_subcommand("sheet",
                            "Make a contact sheet: exemplar, Gaussian version, texton and noise");
     command->footer("Example:\n  texton sheet wood.jpg -o wood_sheet.png");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SheetArguments>();
     addMaterialOptions(*command, options->exemplar);
     command->add_option("-o,--output", options->output, "Picture to write")->required();
     addSolveOptions(*command, options->solve);

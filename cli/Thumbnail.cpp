@@ -12,7 +12,7 @@
 namespace txn::cli {
 namespace {
 
-struct Options {
+struct ThumbnailArguments {
     std::filesystem::path input;
     std::filesystem::path output;
     int size = 256;
@@ -54,7 +54,7 @@ Image shown(const Image& image) {
     return result;
 }
 
-Result<void> run(const Options& options) {
+Result<void> run(const ThumbnailArguments& options) {
     const Size size{options.size, options.size};
     const auto picture = pictureOf(options.input, size);
     if (!picture)
@@ -74,7 +74,7 @@ void addThumbnail(CLI::App& app, Session& session) {
         app.add_subcommand("thumbnail",
                            "Draw a small PNG of a texton, project or picture, for file managers");
     command->footer("Example:\n  texton thumbnail wood.texton -o wood_small.png --size 128");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ThumbnailArguments>();
     command->add_option("FILE", options->input, "Texton, project or picture")->required();
     command->add_option("-o,--output", options->output, "PNG to write, whatever its name")
         ->required();

@@ -10,7 +10,7 @@
 namespace txn::app {
 namespace {
 
-constexpr int kPreviewPx = 96;
+constexpr int kNoisePreviewPx = 96;
 
 QImage previewOf(const Image& image, const MaterialMaps& maps) {
     return toQImage(firstPicture(image, maps));
@@ -22,8 +22,8 @@ MixFrame frameOf(const MixedTexton& one, const MaterialMaps& maps) {
     frame.pictures = mapPictures(textonPicture(one.texton, {0, 0}), maps);
     frame.texton = toQImage(frame.pictures.front().image());
     const auto noise = NoiseGrid::create(one.texton, {});
-    if (const auto picture =
-            noise ? noise->render({0, 0, {kPreviewPx, kPreviewPx}}) : Result<Image>(noise.error()))
+    if (const auto picture = noise ? noise->render({0, 0, {kNoisePreviewPx, kNoisePreviewPx}})
+                                   : Result<Image>(noise.error()))
         frame.noise = previewOf(*picture, maps);
     return frame;
 }

@@ -36,7 +36,7 @@ namespace {
 
 constexpr std::array kSizes{512, 1024, 2048, 4096, 8192, 16384};
 constexpr int kFarthestOrigin = 40'000'000;
-constexpr int kPollMs = 100;
+constexpr int kExportPollMs = 100;
 constexpr qsizetype kMostLines = 5;
 const QString kFolder = QStringLiteral("export");
 
@@ -59,7 +59,7 @@ ExportDialog::ExportDialog(ProjectDocument& document,
     build();
     loadPresets({});
     showPlan();
-    m_poll.setInterval(kPollMs);
+    m_poll.setInterval(kExportPollMs);
     connect(&m_poll, &QTimer::timeout, this, &ExportDialog::showProgress);
     connect(&m_runner, &JobRunner::jobsChanged, this, &ExportDialog::showProgress);
     connect(&m_pipeline, &Pipeline::noiseTextonChanged, this, &ExportDialog::showFiles);

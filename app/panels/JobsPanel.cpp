@@ -13,9 +13,9 @@
 namespace txn::app {
 namespace {
 
-constexpr int kPollMs = 200;
+constexpr int kListPollMs = 200;
 constexpr int kRowHeight = 26;
-constexpr int kBarHeight = 6;
+constexpr int kRowBarHeight = 6;
 constexpr int kStopWidth = 36;
 enum Column { What, Progress, Time, Stop };
 
@@ -38,7 +38,7 @@ JobsPanel::JobsPanel(JobRunner& runner, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_list);
-    m_poll.setInterval(kPollMs);
+    m_poll.setInterval(kListPollMs);
     connect(&m_poll, &QTimer::timeout, this, &JobsPanel::showJobs);
     connect(&m_runner, &JobRunner::jobsChanged, this, &JobsPanel::showJobs);
     showJobs();
@@ -77,7 +77,7 @@ QTreeWidgetItem* JobsPanel::addRow() {
     item->setSizeHint(What, {0, kRowHeight});
     auto* bar = new QProgressBar;
     bar->setTextVisible(false);
-    bar->setFixedHeight(kBarHeight);
+    bar->setFixedHeight(kRowBarHeight);
     auto* middle = new QWidget; // of the row's height
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 8, 0);

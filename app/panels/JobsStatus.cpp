@@ -9,10 +9,10 @@
 namespace txn::app {
 namespace {
 
-constexpr int kPollMs = 100;
+constexpr int kStatusPollMs = 100;
 constexpr qint64 kNoticeableMs = 250;
 constexpr int kBarWidth = 96;
-constexpr int kBarHeight = 4;
+constexpr int kStatusBarHeight = 4;
 
 } // namespace
 
@@ -25,13 +25,13 @@ JobsStatus::JobsStatus(JobRunner& runner, QWidget* parent)
     m_bar->setToolTip(tr("How far the work is. The Jobs panel lists all of it."));
     m_bar->setRange(0, 100);
     m_bar->setTextVisible(false);
-    m_bar->setFixedSize(kBarWidth, kBarHeight);
+    m_bar->setFixedSize(kBarWidth, kStatusBarHeight);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     row->addWidget(m_title);
     row->addWidget(m_bar);
-    m_poll.setInterval(kPollMs);
+    m_poll.setInterval(kStatusPollMs);
     connect(&m_poll, &QTimer::timeout, this, &JobsStatus::showJobs);
     connect(&m_runner, &JobRunner::jobsChanged, this, &JobsStatus::showJobs);
     showJobs();

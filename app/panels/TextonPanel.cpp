@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::array kOrders{0, 1, 3, 5};
 constexpr std::array kKernels{TextonSettings::kAutomatic, 1, 2, 3, 4, 8, 16};
-constexpr int kPollMs = 100;
+constexpr int kProgressPollMs = 100;
 constexpr int kProgressSteps = 1000;
 
 ValueSlider::Range sideRange() {
@@ -113,7 +113,7 @@ TextonPanel::TextonPanel(ProjectDocument& document,
     : QWidget(parent), m_document(document), m_pipeline(pipeline), m_runner(runner) {
     setObjectName(QStringLiteral("textonPanel"));
     build();
-    m_poll.setInterval(kPollMs);
+    m_poll.setInterval(kProgressPollMs);
     connect(&m_poll, &QTimer::timeout, this, &TextonPanel::showProgress);
     connect(&m_document, &ProjectDocument::projectChanged, this, &TextonPanel::showSettings);
     connect(&m_pipeline, &Pipeline::textonChanged, this, &TextonPanel::showResult);

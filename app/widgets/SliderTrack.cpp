@@ -13,7 +13,7 @@
 namespace txn::app {
 namespace {
 
-constexpr double kMargin = 5.0; ///< half the handle
+constexpr double kHalfHandle = 5.0;
 constexpr double kSnapPx = 5.0;
 constexpr double kFine = 0.1;
 constexpr double kKeyStep = 0.01;
@@ -45,11 +45,11 @@ double SliderTrack::valueOfShare(double share) const {
 
 double SliderTrack::position(double value) const {
     const double s = isRightToLeft() ? 1.0 - share(value) : share(value);
-    return kMargin + s * (width() - 2.0 * kMargin);
+    return kHalfHandle + s * (width() - 2.0 * kHalfHandle);
 }
 
 double SliderTrack::valueAt(double x) const {
-    const double s = (x - kMargin) / std::max(1.0, width() - 2.0 * kMargin);
+    const double s = (x - kHalfHandle) / std::max(1.0, width() - 2.0 * kHalfHandle);
     return valueOfShare(isRightToLeft() ? 1.0 - s : s);
 }
 
@@ -71,7 +71,9 @@ void SliderTrack::paintEvent(QPaintEvent*) {
     const double start = position(std::max(m_slider.range().low, 0.0));
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? colors.groove : colors.line);
-    painter.drawRoundedRect(QRectF(kMargin, middle - 2.0, width() - 2.0 * kMargin, 4.0), 2.0, 2.0);
+    painter.drawRoundedRect(QRectF(kHalfHandle, middle - 2.0, width() - 2.0 * kHalfHandle, 4.0),
+                            2.0,
+                            2.0);
     const QColor accent = isEnabled() ? colors.accent : colors.line;
     painter.setBrush(accent);
     painter.drawRoundedRect(QRectF(std::min(start, at), middle - 2.0, std::abs(at - start), 4.0),
@@ -96,7 +98,7 @@ void SliderTrack::mousePressEvent(QMouseEvent* event) {
     m_gesture = Gesture::next();
     m_lastX = event->position().x();
     // A press on the handle picks it up; elsewhere the handle comes to the mouse.
-    if (std::abs(m_lastX - position(m_slider.value())) > kMargin + 1.0)
+    if (std::abs(m_lastX - position(m_slider.value())) > kHalfHandle + 1.0)
         m_slider.edit(snapped(valueAt(m_lastX)), m_gesture);
     m_dragShare = share(m_slider.value());
 }
@@ -106,7 +108,7 @@ void SliderTrack::mouseMoveEvent(QMouseEvent* event) {
         return;
     const double x = event->position().x();
     const bool fine = event->modifiers().testFlag(Qt::ShiftModifier);
-    double step = (x - m_lastX) / std::max(1.0, width() - 2.0 * kMargin);
+    double step = (x - m_lastX) / std::max(1.0, width() - 2.0 * kHalfHandle);
     if (isRightToLeft())
         step = -step;
     m_dragShare += fine ? kFine * step : step;

@@ -15,9 +15,9 @@ namespace txn {
 namespace {
 
 constexpr int kMaxSide = 16384;
-constexpr double kLargest = Exemplar::kLargestSample;
+constexpr double kLargestNumber = Exemplar::kLargestSample;
 
-Error broken(const std::string& reason) {
+Error brokenText(const std::string& reason) {
     return {ErrorCode::Unreadable, reason};
 }
 
@@ -110,30 +110,31 @@ Result<std::string> toTextonFile(const TextonAsset& asset) {
 Result<TextonAsset> fromTextonFile(std::string_view text) {
     Reader reader(text);
     if (reader.word() != "TEXTON")
-        return broken("it does not start with TEXTON");
+        return brokenText("it does not start with TEXTON");
     const auto version = reader.number<int>();
     if (version != 1)
-        return broken("only version 1 of the format is known");
+        return brokenText("only version 1 of the format is known");
     const auto order = reader.number<int>();
     if (!order || !isInterpolationOrder(*order))
-        return broken("the interpolation order must be 0, 1, 3 or 5");
+        return brokenText("the interpolation order must be 0, 1, 3 or 5");
     TextonAsset asset;
     asset.texton.interpolationOrder = *order;
     for (int c = 0; c < 3; ++c) {
         const auto mean = reader.number<double>();
-        if (!mean || !(std::abs(*mean) <= kLargest))
-            return broken("line " + std::to_string(reader.line()) + " should hold the mean colour");
+        if (!mean || !(std::abs(*mean) <= kLargestNumber))
+            return brokenText("line " + std::to_string(reader.line()) +
+                              " should hold the mean colour");
         asset.texton.mean.push_back(*mean);
     }
     const auto width = reader.number<int>();
     const auto height = reader.number<int>();
     if (!width || !height || *width < 3 || *height < 3 || *width > kMaxSide || *height > kMaxSide)
-        return broken("line " + std::to_string(reader.line()) +
-                      " should hold the width and height, with the border of one");
+        return brokenText("line " + std::to_string(reader.line()) +
+                          " should hold the width and height, with the border of one");
     const Size support{*width - 2, *height - 2};
     // Three numbers of two characters each are the least a sample can take.
     if (support.area() * 6 > text.size())
-        return broken("it ends too early");
+        return brokenText("it ends too early");
     Image kernel(support, 3);
     for (int y = support.height; y >= -1; --y) {
         for (int x = -1; x <= support.width; ++x) {
@@ -141,11 +142,11 @@ Result<TextonAsset> fromTextonFile(std::string_view text) {
             for (int c = 0; c < 3; ++c) {
                 const auto value = reader.number<double>(); // which takes what a float rounds to 0
                 if (!value || !(std::abs(static_cast<float>(*value)) <= Exemplar::kLargestSample))
-                    return broken("line " + std::to_string(reader.line()) +
-                                  " should hold three coefficients");
+                    return brokenText("line " + std::to_string(reader.line()) +
+                                      " should hold three coefficients");
                 if (frame && *value != 0.0)
-                    return broken("line " + std::to_string(reader.line()) +
-                                  " lies on the border and should hold zeros");
+                    return brokenText("line " + std::to_string(reader.line()) +
+                                      " lies on the border and should hold zeros");
                 if (!frame)
                     kernel.at(x, y, c) = static_cast<float>(*value);
             }

@@ -52,9 +52,9 @@ class Writer {
 
 /// After the first thing that is not there or out of range, everything reads as zero and whole()
 /// is false.
-class Reader {
+class MessageReader {
   public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : m_rest(bytes) {
+    explicit MessageReader(std::span<const std::uint8_t> bytes) : m_rest(bytes) {
         m_ok = number<std::uint32_t>() == kMagic && m_ok;
     }
 
@@ -114,7 +114,7 @@ bool isOneLine(std::string_view text) {
     return true;
 }
 
-Result<PictureDescription> pictureFrom(Reader& reader) {
+Result<PictureDescription> pictureFrom(MessageReader& reader) {
     PictureDescription picture;
     picture.size.width = reader.within<std::int32_t>(1, INT32_MAX);
     picture.size.height = reader.within<std::int32_t>(1, INT32_MAX);
@@ -142,7 +142,7 @@ Message toMessage(const DecodeRequest& request) {
 }
 
 std::optional<DecodeRequest> requestFrom(std::span<const std::uint8_t> bytes) {
-    Reader reader(bytes);
+    MessageReader reader(bytes);
     DecodeRequest request;
     const bool right = reader.number<std::uint8_t>() == kRequest;
     request.maxSamples = reader.number<std::uint64_t>();
@@ -159,7 +159,7 @@ Message toMessage(const DecodeNews& news) {
 }
 
 std::optional<DecodeNews> newsFrom(std::span<const std::uint8_t> bytes) {
-    Reader reader(bytes);
+    MessageReader reader(bytes);
     const auto kind = reader.number<std::uint8_t>();
     const auto number = reader.number<std::uint64_t>();
     if (!reader.whole())
@@ -196,7 +196,7 @@ Message describe(const Error& error) {
 
 std::optional<Result<PictureDescription>> descriptionFrom(std::span<const std::uint8_t> bytes,
                                                           std::uint64_t maxSamples) {
-    Reader reader(bytes);
+    MessageReader reader(bytes);
     const auto kind = reader.number<std::uint8_t>();
     if (kind == kError) {
         Error error;

@@ -52,13 +52,13 @@ std::string oneLine(std::string text) {
 }
 
 /// Reads one file by the decoder that its content asks for.
-class Reader {
+class RowReader {
   public:
-    Reader(FileBytes& file,
-           const Path& path,
-           ImageHeader header,
-           const LoadOptions& options,
-           const SamplesKnown& samplesKnown)
+    RowReader(FileBytes& file,
+              const Path& path,
+              ImageHeader header,
+              const LoadOptions& options,
+              const SamplesKnown& samplesKnown)
         : m_file(file), m_path(path), m_header(std::move(header)), m_options(options),
           m_samplesKnown(samplesKnown) {}
 
@@ -95,7 +95,7 @@ class Reader {
     LoadedImage m_loaded;
 };
 
-Result<LoadedImage> Reader::read() {
+Result<LoadedImage> RowReader::read() {
     // Some decoders decode all of it when they open it.
     if (m_header.width > 0)
         tellSamples(m_header.width, m_header.height, m_header.channels);
@@ -115,7 +115,7 @@ Result<LoadedImage> Reader::read() {
     return std::move(m_loaded);
 }
 
-Result<void> Reader::open() {
+Result<void> RowReader::open() {
     const FormatTraits& traits = formatTraits(m_header.format);
     m_input = OIIO::ImageInput::create(traits.oiioName);
     if (!m_input)
@@ -131,7 +131,7 @@ Result<void> Reader::open() {
     return {};
 }
 
-Result<void> Reader::checkSpec() const {
+Result<void> RowReader::checkSpec() const {
     const auto count = [](int n) { return static_cast<std::uint64_t>(std::max(n, 0)); };
     if (auto checked = checkImageSize(m_path,
                                       count(m_spec.width),
@@ -162,7 +162,7 @@ Result<void> Reader::checkSpec() const {
     return {};
 }
 
-Result<void> Reader::readSamples() {
+Result<void> RowReader::readSamples() {
     m_alphaChannel = m_spec.nchannels > 1 ? m_spec.alpha_channel : -1;
     if (m_alphaChannel >= m_spec.nchannels)
         m_alphaChannel = -1;
@@ -204,7 +204,7 @@ Result<void> Reader::readSamples() {
 }
 
 /// From the top one on, whole rows of tiles where there are tiles.
-bool Reader::readRows(int top, int rows, std::vector<float>& block) {
+bool RowReader::readRows(int top, int rows, std::vector<float>& block) {
     if (m_spec.tile_width > 0)
         return m_input->read_tiles(0,
                                    0,
@@ -232,7 +232,7 @@ bool Reader::readRows(int top, int rows, std::vector<float>& block) {
 }
 
 /// Sorts interleaved rows into planes.
-void Reader::store(int firstRow, int rows, const std::vector<float>& block) {
+void RowReader::store(int firstRow, int rows, const std::vector<float>& block) {
     const Size size{m_spec.width, m_spec.height};
     // Only now, since a file that gives no rows at all should not cost its promised size.
     if (m_loaded.image.empty()) {
@@ -259,7 +259,7 @@ void Reader::store(int firstRow, int rows, const std::vector<float>& block) {
     }
 }
 
-void Reader::readAttributes() {
+void RowReader::readAttributes() {
     m_loaded.format = m_header.format;
     const auto baseType = static_cast<OIIO::TypeDesc::BASETYPE>(m_spec.format.basetype);
     m_loaded.sampleFormat = baseType == OIIO::TypeDesc::UINT8    ? SampleFormat::UInt8
@@ -281,7 +281,7 @@ void Reader::readAttributes() {
             attributesFromText(std::string(m_spec.get_string_attribute("ImageDescription"))));
 }
 
-bool Reader::alphaIsAssociated() const {
+bool RowReader::alphaIsAssociated() const {
     switch (m_header.format) {
     case ImageFormat::OpenExr: // by the format's definition
     case ImageFormat::WebP:    // its reader multiplies, whatever it is asked
@@ -295,7 +295,7 @@ bool Reader::alphaIsAssociated() const {
     }
 }
 
-void Reader::settleAlpha() {
+void RowReader::settleAlpha() {
     if (!m_loaded.alpha)
         return;
     const auto alpha = m_loaded.alpha->plane(0);
@@ -319,7 +319,7 @@ void Reader::settleAlpha() {
     }
 }
 
-void Reader::settleColor() {
+void RowReader::settleColor() {
     const auto noted = m_loaded.attributes.find(kTransferAttribute);
     const std::string note = noted == m_loaded.attributes.end() ? "" : noted->second;
     const bool linearType =
@@ -358,7 +358,7 @@ Result<LoadedImage> decodeImage(FileBytes file,
         return header.error();
     const ImageFormat format = header->format;
     try {
-        return Reader(file, name, *std::move(header), options, samplesKnown).read();
+        return RowReader(file, name, *std::move(header), options, samplesKnown).read();
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::TooLarge, "there is not enough memory to read " + quoted(name)};
     } catch (const std::exception& failure) {
