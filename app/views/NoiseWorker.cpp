@@ -146,7 +146,7 @@ void NoiseWorker::rehearse(const NoiseRequest& request) {
         few.view = view;
         few.size = kRehearsalSize;
         if (!few.mesh)
-            few.mesh = std::make_shared<const TriangleMesh>(sphereMesh());
+            few.mesh = std::make_shared<const TriangleMesh>(planeMesh(2));
         m_rehearsals.push_back(std::move(few));
     }
 }
