@@ -8,6 +8,7 @@
 #include "app/look/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/ActionRegistry.h"
+#include "tests/helpers/Verify.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -16,8 +17,6 @@
 #include <functional>
 
 namespace txn::test {
-
-inline constexpr int kPatienceMs = 60000;
 
 /// Lets the program run until the condition holds; false if it never does.
 inline bool waitFor(const std::function<bool()>& condition, int patienceMs = kPatienceMs) {

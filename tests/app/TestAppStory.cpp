@@ -61,7 +61,7 @@ void drag(QWidget* widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::
 
 /// What a file dialog asks for, typed.
 void typeFileName(Studio& studio, const char* dialog, const QString& path) {
-    QTRY_VERIFY(studio.find<QFileDialog>(dialog) != nullptr);
+    TXN_COMES_TRUE(studio.find<QFileDialog>(dialog) != nullptr);
     auto* files = studio.find<QFileDialog>(dialog);
     QVERIFY(QTest::qWaitForWindowExposed(files));
     auto* name = files->findChild<QLineEdit*>("fileNameEdit");
@@ -69,7 +69,7 @@ void typeFileName(Studio& studio, const char* dialog, const QString& path) {
     name->selectAll();
     QTest::keyClicks(name, path);
     files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
-    QTRY_VERIFY(studio.find<QFileDialog>(dialog) == nullptr);
+    TXN_COMES_TRUE(studio.find<QFileDialog>(dialog) == nullptr);
 }
 
 } // namespace
@@ -133,7 +133,7 @@ class TestAppStory : public QObject {
         }
         QApplication::clipboard()->setImage(picture);
         QTest::keyClick(&studio.window(), Qt::Key_V, Qt::ControlModifier);
-        QTRY_VERIFY(studio.project().source != nullptr);
+        TXN_COMES_TRUE(studio.project().source != nullptr);
         QCOMPARE(studio.project().source->size(), (Size{64, 48}));
         QApplication::clipboard()->clear();
         QTest::keyClick(&studio.window(), Qt::Key_V, Qt::ControlModifier);
@@ -148,8 +148,8 @@ class TestAppStory : public QObject {
         field->selectAll();
         QTest::keyClicks(field, "100000");
         QTest::keyClick(field, Qt::Key_Return);
-        QTRY_VERIFY(studio->pipeline().texton() != before); // it forms before the eyes
-        QTRY_VERIFY(studio.find("viewStale2")->isVisible());
+        TXN_COMES_TRUE(studio->pipeline().texton() != before); // it forms before the eyes
+        TXN_COMES_TRUE(studio.find("viewStale2")->isVisible());
         QTest::mouseClick(studio.find("textonCancel"), Qt::LeftButton);
         QCOMPARE(studio->pipeline().texton(), before);
         QTRY_VERIFY_WITH_TIMEOUT(studio->runner().isIdle(), 1000);
@@ -174,7 +174,7 @@ class TestAppStory : public QObject {
             auto* question = studio.find<QMessageBox>("saveQuestion");
             QVERIFY(question != nullptr);
             question->button(QMessageBox::Discard)->click();
-            QTRY_VERIFY(!studio.window().isVisible());
+            TXN_COMES_TRUE(!studio.window().isVisible());
         }
     }
 
@@ -186,7 +186,7 @@ class TestAppStory : public QObject {
             .setValue("open/pictureBudget", 320 * 240 * 3 - 1);
         const QString photo = writePhoto(studio.path("beach.png"));
         const auto answer = [&](bool openIt) {
-            QTRY_VERIFY(studio.find<QMessageBox>("largePictureQuestion") != nullptr);
+            TXN_COMES_TRUE(studio.find<QMessageBox>("largePictureQuestion") != nullptr);
             auto* question = studio.find<QMessageBox>("largePictureQuestion");
             QVERIFY(question->text().contains("beach.png"));
             for (QAbstractButton* button : question->buttons()) {
@@ -195,7 +195,7 @@ class TestAppStory : public QObject {
                     break;
                 }
             }
-            QTRY_VERIFY(studio.find<QMessageBox>("largePictureQuestion") == nullptr);
+            TXN_COMES_TRUE(studio.find<QMessageBox>("largePictureQuestion") == nullptr);
             QVERIFY(studio.settle());
         };
         studio.window().files().open(photo);
@@ -234,7 +234,7 @@ class TestAppStory : public QObject {
 
         // The probe tells what is under the mouse.
         QTest::mouseMove(view, middle + QPoint(3, 3));
-        QTRY_VERIFY(studio.find<QLabel>("probe")->text().contains("sRGB"));
+        TXN_COMES_TRUE(studio.find<QLabel>("probe")->text().contains("sRGB"));
 
         // A new seed for what is under the mouse.
         const Seed seed = studio.project().noise.seed;
@@ -256,8 +256,8 @@ class TestAppStory : public QObject {
 
     void exportTexton(Studio& studio) {
         QTest::keyClick(&studio.window(), Qt::Key_E, Qt::ControlModifier);
-        QTRY_VERIFY(studio.find<QDialog>("exportDialog") != nullptr &&
-                    studio.find<QDialog>("exportDialog")->isVisible());
+        TXN_COMES_TRUE(studio.find<QDialog>("exportDialog") != nullptr &&
+                       studio.find<QDialog>("exportDialog")->isVisible());
         QVERIFY(QTest::qWaitForWindowExposed(studio.find<QDialog>("exportDialog")));
         auto* folder = studio.find<QLineEdit>("exportFolder");
         folder->selectAll();
@@ -271,7 +271,7 @@ class TestAppStory : public QObject {
         const auto loaded = loadTextonOrImage(file.toStdString());
         QVERIFY(loaded && std::holds_alternative<TextonAsset>(*loaded));
         QVERIFY(std::get<TextonAsset>(*loaded).texton.support.size() == (Size{28, 28}));
-        QTRY_VERIFY(studio->runner().isIdle());
+        TXN_COMES_TRUE(studio->runner().isIdle());
         studio.find<QDialog>("exportDialog")->close();
     }
 
@@ -281,21 +281,21 @@ class TestAppStory : public QObject {
         studio.activate();
         QTest::keyClick(&studio.window(), Qt::Key_S, Qt::ControlModifier);
         typeFileName(studio, "saveDialog", file);
-        QTRY_VERIFY(!studio.window().isWindowModified());
+        TXN_COMES_TRUE(!studio.window().isWindowModified());
         QVERIFY(QFileInfo::exists(file));
         const Project saved = studio.project();
 
         // A change, a change of mind, and back.
         studio.document().change("Contrast", [](Project& p) { p.noise.contrast = 0.5; });
         studio.window().close();
-        QTRY_VERIFY(studio.find<QMessageBox>("saveQuestion") != nullptr);
+        TXN_COMES_TRUE(studio.find<QMessageBox>("saveQuestion") != nullptr);
         studio.find<QMessageBox>("saveQuestion")->button(QMessageBox::Cancel)->click();
         QVERIFY(studio.window().isVisible());
-        QTRY_VERIFY(studio.find<QMessageBox>("saveQuestion") == nullptr);
+        TXN_COMES_TRUE(studio.find<QMessageBox>("saveQuestion") == nullptr);
         studio.window().files().open(file);
-        QTRY_VERIFY(studio.find<QMessageBox>("saveQuestion") != nullptr);
+        TXN_COMES_TRUE(studio.find<QMessageBox>("saveQuestion") != nullptr);
         studio.find<QMessageBox>("saveQuestion")->button(QMessageBox::Discard)->click();
-        QTRY_VERIFY(studio.project().noise.contrast == 1.0);
+        TXN_COMES_TRUE(studio.project().noise.contrast == 1.0);
         QVERIFY(studio.settle());
         // Everything is as it was; the picture itself came back from the file.
         Project reopened = studio.project();

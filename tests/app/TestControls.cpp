@@ -172,7 +172,7 @@ class TestControls : public QObject {
         }
         // Nor does anything that fails open a box.
         studio.window().files().open("/nowhere.png");
-        QTRY_VERIFY(studio.find<QLabel>("messageText")->text().contains("nowhere.png"));
+        TXN_COMES_TRUE(studio.find<QLabel>("messageText")->text().contains("nowhere.png"));
         QVERIFY(QApplication::activeModalWidget() == nullptr);
         QTest::mouseClick(studio.find("messageClose"), Qt::LeftButton);
         QVERIFY(!studio.find("messageBar")->isVisible());
@@ -285,11 +285,12 @@ class TestControls : public QObject {
             p.texton.method = TextonMethod::Projections;
             p.texton.iterations = 100000;
         });
-        QTRY_VERIFY(studio->pipeline().texton() != before);
-        QTRY_VERIFY(studio.find<QTreeWidget>("jobsList")->findChild<QAbstractButton*>("jobStop"));
+        TXN_COMES_TRUE(studio->pipeline().texton() != before);
+        TXN_COMES_TRUE(
+            studio.find<QTreeWidget>("jobsList")->findChild<QAbstractButton*>("jobStop"));
         studio.find<QTreeWidget>("jobsList")->findChild<QAbstractButton*>("jobStop")->click();
         QCOMPARE(studio->pipeline().texton(), before);
-        QTRY_VERIFY(studio->runner().isIdle());
+        TXN_COMES_TRUE(studio->runner().isIdle());
     }
 
     void whatIsThisAnswers() {

@@ -308,7 +308,7 @@ class TestExport : public QObject {
         asset->texton = quietTexton();
         asset->exemplarName = "stone.jpg";
         document.change("Open", [&](Project& project) { project.importedTexton = asset; });
-        QTRY_VERIFY(pipeline.noiseTexton() != nullptr);
+        TXN_COMES_TRUE(pipeline.noiseTexton() != nullptr);
 
         ExportDialog dialog(document, pipeline, runner, settings);
         dialog.show();
@@ -326,7 +326,7 @@ class TestExport : public QObject {
             QTest::keyClick(field, Qt::Key_Return);
         }
         // Return in a field starts nothing twice: wait for whatever it started.
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
         auto* files = dialog.findChild<QLabel*>("exportFiles");
         QVERIFY2(files->text().startsWith("stone_noise_64_tile.png"), qPrintable(files->text()));
         QFile::remove(m_folder.filePath("stone_noise_64_tile.png"));
@@ -341,20 +341,20 @@ class TestExport : public QObject {
             QFileInfo(m_folder.filePath("stone_noise_64_tile.png")).lastModified();
         QTest::qWait(20);
         QTest::mouseClick(child("exportStart"), Qt::LeftButton);
-        QTRY_VERIFY(dialog.findChild<QMessageBox*>("replaceQuestion") != nullptr);
+        TXN_COMES_TRUE(dialog.findChild<QMessageBox*>("replaceQuestion") != nullptr);
         dialog.findChild<QMessageBox*>("replaceQuestion")->button(QMessageBox::Cancel)->click();
-        QTRY_VERIFY(dialog.findChild<QMessageBox*>("replaceQuestion") == nullptr);
+        TXN_COMES_TRUE(dialog.findChild<QMessageBox*>("replaceQuestion") == nullptr);
         QVERIFY(runner.isIdle());
         QCOMPARE(QFileInfo(m_folder.filePath("stone_noise_64_tile.png")).lastModified(), before);
         QTest::mouseClick(child("exportStart"), Qt::LeftButton);
-        QTRY_VERIFY(dialog.findChild<QMessageBox*>("replaceQuestion") != nullptr);
+        TXN_COMES_TRUE(dialog.findChild<QMessageBox*>("replaceQuestion") != nullptr);
         for (QAbstractButton* button :
              dialog.findChild<QMessageBox*>("replaceQuestion")->buttons()) {
             if (button->text() == "Replace")
                 button->click();
         }
-        QTRY_VERIFY(QFileInfo(m_folder.filePath("stone_noise_64_tile.png")).lastModified() !=
-                    before);
+        TXN_COMES_TRUE(QFileInfo(m_folder.filePath("stone_noise_64_tile.png")).lastModified() !=
+                       before);
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/JobRunner.h"
+#include "tests/helpers/Verify.h"
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -38,10 +39,10 @@ class TestJobRunner : public QObject {
             workedOn = QThread::currentThread();
             return [&] { deliveredOn = QThread::currentThread(); };
         });
-        QTRY_VERIFY(deliveredOn != nullptr);
+        TXN_COMES_TRUE(deliveredOn != nullptr);
         QCOMPARE(deliveredOn, QThread::currentThread());
         QVERIFY(workedOn != deliveredOn);
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
     }
 
     void theNewestRequestWins() {
@@ -56,7 +57,7 @@ class TestJobRunner : public QObject {
                 return [&delivered, i] { delivered.push_back(i); };
             });
         }
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
         QCOMPARE(delivered, std::vector<int>{49});
         // The first one was at work, all others but the last never started.
         QVERIFY(started <= 2);
@@ -75,7 +76,7 @@ class TestJobRunner : public QObject {
         }
         QCOMPARE(most, 1);
         release = true;
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
     }
 
     void nothingIsDeliveredAfterCancel() {
@@ -86,11 +87,11 @@ class TestJobRunner : public QObject {
         runner.submit(JobKind::Export, "work", busyUntil(release, running, [&] {
                           delivered = true;
                       }));
-        QTRY_COMPARE(running.load(), 1);
+        TXN_BECOMES(running.load(), 1);
         runner.cancel(JobKind::Export);
         QVERIFY(!runner.isBusy(JobKind::Export));
         QVERIFY(!runner.info(JobKind::Export));
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
         QTest::qWait(20);
         QVERIFY(!delivered);
     }
@@ -108,10 +109,10 @@ class TestJobRunner : public QObject {
             context.deliver([&] { shown += 1000; });
             return [&] { shown += 1000; };
         });
-        QTRY_VERIFY(shown > 3);
+        TXN_COMES_TRUE(shown > 3);
         runner.cancel(JobKind::Texton);
         const int atCancel = shown;
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
         QTest::qWait(20);
         QCOMPARE(shown, atCancel);
         QVERIFY(sent >= shown);
@@ -132,9 +133,9 @@ class TestJobRunner : public QObject {
         });
         while (!all)
             std::this_thread::sleep_for(1ms); // the interface does not look meanwhile
-        QTRY_COMPARE(shown, std::vector<int>{99});
+        TXN_BECOMES(shown, std::vector<int>{99});
         release = true;
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
     }
 
     void progressTellsTheRemainingTime() {
@@ -146,14 +147,14 @@ class TestJobRunner : public QObject {
                 std::this_thread::sleep_for(1ms);
             return {};
         });
-        QTRY_VERIFY(runner.info(JobKind::Texton)->remainingMs.has_value());
+        TXN_COMES_TRUE(runner.info(JobKind::Texton)->remainingMs.has_value());
         const auto info = *runner.info(JobKind::Texton);
         QCOMPARE(info.title, "work");
         QVERIFY(std::abs(info.progress - 0.5) <= 1e-9);
         // Half of it done: as long again.
         QVERIFY(std::abs(static_cast<double>(*info.remainingMs - info.elapsedMs)) <= 5.0);
         release = true;
-        QTRY_VERIFY(runner.isIdle());
+        TXN_COMES_TRUE(runner.isIdle());
     }
 
     void whatIsThrownEndsTheJobOnly() {
@@ -162,13 +163,13 @@ class TestJobRunner : public QObject {
         runner.submit(JobKind::Mesh, "work", [](JobContext&) -> Delivery {
             throw std::bad_alloc();
         });
-        QTRY_COMPARE(failed.count(), 1);
+        TXN_BECOMES(failed.count(), 1);
         QVERIFY(failed.first().at(1).toString().contains("memory"));
         bool delivered = false;
         runner.submit(JobKind::Mesh, "work", [&](JobContext&) -> Delivery {
             return [&] { delivered = true; };
         });
-        QTRY_VERIFY(delivered);
+        TXN_COMES_TRUE(delivered);
     }
 
     void endsWhileJobsRun() {
@@ -178,7 +179,7 @@ class TestJobRunner : public QObject {
             JobRunner runner;
             for (const JobKind kind : {JobKind::Texton, JobKind::Gaussian, JobKind::Export})
                 runner.submit(kind, "work", busyUntil(release, running));
-            QTRY_VERIFY(running >= 1);
+            TXN_COMES_TRUE(running >= 1);
         }
         QCOMPARE(running.load(), 0);
     }

@@ -465,7 +465,7 @@ class TestMix : public QObject {
         studio->pipeline().cancelMix();
         studio->pipeline().cancelTexton();
         QVERIFY(studio->pipeline().mix() == before);
-        QTRY_VERIFY(studio.find<QLabel>("mixWords")->text().contains("not up to date"));
+        TXN_COMES_TRUE(studio.find<QLabel>("mixWords")->text().contains("not up to date"));
         // The old mixture is seen, and not exported as if it were the new one.
         studio.trigger("file.export");
         QVERIFY(QTest::qWaitForWindowExposed(studio.find<QDialog>("exportDialog")));

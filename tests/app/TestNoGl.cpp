@@ -42,7 +42,7 @@ class TestNoGl : public QObject {
         NoiseFeed feed(service);
         for (const View& view : {View(PlaneView{}), View(GroundView{}), View(MeshView{})}) {
             feed.request(request(view));
-            QTRY_VERIFY(feed.frame().complete && feed.frame().request.view == view);
+            TXN_COMES_TRUE(feed.frame().complete && feed.frame().request.view == view);
             QVERIFY(feed.frame().onProcessor);
             QCOMPARE(feed.frame().image.size(), QSize(90, 60));
             QVERIFY(feed.frame().image.pixel(10, 10) != feed.frame().image.pixel(50, 40));

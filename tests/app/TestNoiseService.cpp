@@ -48,7 +48,7 @@ class TestNoiseService : public QObject {
     void tellsWhatDraws() {
         NoiseService service;
         QSignalSpy ready(&service, &NoiseService::ready);
-        QTRY_COMPARE(ready.count(), 1);
+        TXN_BECOMES(ready.count(), 1);
         QVERIFY(!service.renderer().isEmpty());
         QVERIFY(service.problem().isEmpty());
     }
@@ -58,7 +58,7 @@ class TestNoiseService : public QObject {
         NoiseFeed feed(service);
         const NoiseRequest request = planeRequest(m_texton);
         feed.request(request);
-        QTRY_VERIFY(isComplete(feed, request));
+        TXN_COMES_TRUE(isComplete(feed, request));
         const NoiseFrame& frame = feed.frame();
         QCOMPARE(frame.image.size(), request.size);
         QVERIFY(!frame.onProcessor);
@@ -90,7 +90,7 @@ class TestNoiseService : public QObject {
             request.view = view;
             feed.request(request);
         }
-        QTRY_VERIFY(isComplete(feed, request));
+        TXN_COMES_TRUE(isComplete(feed, request));
         QVERIFY(frames < 10);
     }
 
@@ -103,7 +103,7 @@ class TestNoiseService : public QObject {
         second.view = GroundView{};
         a.request(first);
         b.request(second);
-        QTRY_VERIFY(isComplete(a, first) && isComplete(b, second));
+        TXN_COMES_TRUE(isComplete(a, first) && isComplete(b, second));
         QCOMPARE(a.frame().image.size(), QSize(64, 64));
         QCOMPARE(b.frame().image.size(), QSize(80, 40));
     }
@@ -115,7 +115,7 @@ class TestNoiseService : public QObject {
         request.mesh = std::make_shared<const TriangleMesh>(sphereMesh());
         request.view = MeshView{};
         feed.request(request);
-        QTRY_VERIFY(isComplete(feed, request));
+        TXN_COMES_TRUE(isComplete(feed, request));
         // The corner is background, the middle is not.
         const QImage& image = feed.frame().image;
         QVERIFY(image.pixel(2, 2) == image.pixel(125, 2));
@@ -127,13 +127,13 @@ class TestNoiseService : public QObject {
         NoiseFeed feed(service);
         const NoiseRequest request = planeRequest(m_texton);
         feed.request(request);
-        QTRY_VERIFY(isComplete(feed, request));
+        TXN_COMES_TRUE(isComplete(feed, request));
         const QImage before = feed.frame().image.copy();
         for (int i = 0; i < 5; ++i) {
             int frames = 0;
             const auto link = connect(&feed, &NoiseFeed::frameReady, this, [&] { ++frames; });
             service.loseContext();
-            QTRY_VERIFY(frames > 0 && feed.frame().complete);
+            TXN_COMES_TRUE(frames > 0 && feed.frame().complete);
             QCOMPARE(feed.frame().image, before);
             disconnect(link);
         }
@@ -165,10 +165,10 @@ class TestNoiseService : public QObject {
         NoiseRequest request = planeRequest(m_texton);
         request.style.noise.meanImpacts = -1.0;
         feed.request(request);
-        QTRY_COMPARE(failed.count(), 1);
+        TXN_BECOMES(failed.count(), 1);
         QVERIFY(!failed.first().first().toString().isEmpty());
         feed.request(planeRequest(m_texton));
-        QTRY_VERIFY(feed.frame().complete);
+        TXN_COMES_TRUE(feed.frame().complete);
     }
 };
 

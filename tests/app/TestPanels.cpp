@@ -144,11 +144,11 @@ class TestPanels : public QObject {
         Studio studio;
         QVERIFY(studio.openSample("rust"));
         auto* verdict = studio.find<QLabel>("verdict");
-        QTRY_COMPARE(verdict->text(), "Suits texton noise");
+        TXN_BECOMES(verdict->text(), "Suits texton noise");
         QVERIFY(studio.find<QLabel>("verdictReason")->text().size() > 20);
         QVERIFY(studio.find<QLabel>("exemplarFacts")->text().contains("512 x 512 px"));
         QVERIFY(studio.openSample("leather"));
-        QTRY_VERIFY(verdict->text().contains("shapes"));
+        TXN_COMES_TRUE(verdict->text().contains("shapes"));
         QVERIFY(verdict->toolTip().contains("kurtosis"));
     }
 
@@ -270,7 +270,7 @@ class TestPanels : public QObject {
         QCOMPARE(studio->pipeline().mesh()->triangles.size(), std::size_t{1});
         studio.document().change("Mesh",
                                  [&](Project& p) { p.noise.mesh = studio.path("nowhere.obj"); });
-        QTRY_VERIFY(studio.find<QLabel>("messageText")->text().contains("nowhere.obj"));
+        TXN_COMES_TRUE(studio.find<QLabel>("messageText")->text().contains("nowhere.obj"));
     }
 
     /// Hundreds of things that an artist may do, in any order, and all of them taken back.
@@ -305,7 +305,7 @@ class TestPanels : public QObject {
                 studio.trigger("texton.newSeed");
             } else if (below(4) == 0) { // large pictures take their time
                 studio.window().files().openSample(QLatin1String(samples[below(4)]));
-                QTRY_VERIFY(!studio->runner().isBusy(JobKind::Open));
+                TXN_COMES_TRUE(!studio->runner().isBusy(JobKind::Open));
                 studio.document().change("Small", [](Project& p) {
                     p.edit.crop = Rect{0, 0, {64, 64}};
                 });

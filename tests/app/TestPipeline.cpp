@@ -52,11 +52,11 @@ class TestPipeline : public QObject {
     void aPictureGoesThroughAllStages() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto exemplar = studio.pipeline.exemplar();
         QCOMPARE(exemplar->exemplar.image.size(), (Size{128, 96}));
         QCOMPARE(studio.pipeline.gaussian()->pictures.front().image().size(), (Size{128, 96}));
-        QTRY_VERIFY(studio.pipeline.verdict() != nullptr);
+        TXN_COMES_TRUE(studio.pipeline.verdict() != nullptr);
 
         // The texton is the one of the core, by the same settings.
         const auto expected = computeTexton(exemplar->exemplar,
@@ -77,25 +77,25 @@ class TestPipeline : public QObject {
         studio.open(m_rust);
         QVERIFY(TextonSettings{}.method == TextonMethod::Fit);
         studio.document.change("Fit", [](Project& p) { p.texton.method = TextonMethod::Fit; });
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto texton = studio.pipeline.texton();
         QCOMPARE(texton->trialErrors.size(), std::size_t{2});
         QVERIFY(texton->texton.kernelCount() <= 2 && !texton->relativeModelError);
         studio.document.change("Kernels", [](Project& p) { p.texton.kernels = 3; });
-        QTRY_COMPARE(studio.pipeline.texton()->texton.kernelCount(), 3);
-        QTRY_VERIFY(studio.pipeline.suggestedSupport().has_value());
+        TXN_BECOMES(studio.pipeline.texton()->texton.kernelCount(), 3);
+        TXN_COMES_TRUE(studio.pipeline.suggestedSupport().has_value());
     }
 
     void twoTextonsAreComparedByTurns() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto first = studio.pipeline.texton();
         studio.pipeline.showKept(true); // nothing is kept yet
         QVERIFY(!studio.pipeline.isShowingKept());
         studio.pipeline.keepTexton();
         studio.document.change("Seed", [](Project& p) { p.texton.seed = Seed{77}; });
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto second = studio.pipeline.texton();
         QVERIFY(*studio.pipeline.noiseTexton() == second->texton);
         studio.pipeline.showKept(true);
@@ -108,7 +108,7 @@ class TestPipeline : public QObject {
     void onlyWhatIsStaleIsComputed() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto exemplar = studio.pipeline.exemplar();
         const auto gaussian = studio.pipeline.gaussian();
         const auto texton = studio.pipeline.texton();
@@ -119,17 +119,17 @@ class TestPipeline : public QObject {
         QCOMPARE(studio.pipeline.texton(), texton);
 
         studio.document.change("Seed", [](Project& p) { p.gaussian.seed = Seed{9}; });
-        QTRY_VERIFY(studio.isDone() && studio.pipeline.gaussian() != gaussian);
+        TXN_COMES_TRUE(studio.isDone() && studio.pipeline.gaussian() != gaussian);
         QCOMPARE(studio.pipeline.exemplar(), exemplar);
         QCOMPARE(studio.pipeline.texton(), texton);
 
         studio.document.change("Support", [](Project& p) { p.texton.support = {12, 12}; });
-        QTRY_VERIFY(studio.isDone() && studio.pipeline.texton() != texton);
+        TXN_COMES_TRUE(studio.isDone() && studio.pipeline.texton() != texton);
         QCOMPARE(studio.pipeline.exemplar(), exemplar);
         QCOMPARE(studio.pipeline.texton()->texton.support.size(), (Size{12, 12}));
 
         studio.document.change("Crop", [](Project& p) { p.edit.crop = Rect{10, 10, {64, 64}}; });
-        QTRY_VERIFY(studio.isDone() && studio.pipeline.exemplar() != exemplar);
+        TXN_COMES_TRUE(studio.isDone() && studio.pipeline.exemplar() != exemplar);
         QCOMPARE(studio.pipeline.gaussian()->pictures.front().image().size(), (Size{64, 64}));
     }
 
@@ -147,29 +147,29 @@ class TestPipeline : public QObject {
             QTest::qWait(3);
             QVERIFY(studio.pipeline.isStale(Picture::Texton));
         }
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         QCOMPARE(studio.pipeline.texton()->texton.support.size(), (Size{40, 40}));
     }
 
     void undoBringsTheOldResultsBack() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const Texton before = studio.pipeline.texton()->texton;
         studio.document.change("Iterations", [](Project& p) { p.texton.iterations = 3000; });
-        QTRY_VERIFY(studio.pipeline.isComputingTexton());
+        TXN_COMES_TRUE(studio.pipeline.isComputingTexton());
         studio.document.undoStack().undo();
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         QVERIFY(studio.pipeline.texton()->texton == before);
     }
 
     void cancelGoesBackToTheLastFinishedTexton() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto before = studio.pipeline.texton();
         studio.document.change("Iterations", [](Project& p) { p.texton.iterations = 100000; });
-        QTRY_VERIFY(studio.pipeline.texton() != before); // an intermediate one
+        TXN_COMES_TRUE(studio.pipeline.texton() != before); // an intermediate one
         studio.pipeline.cancelTexton();
         QCOMPARE(studio.pipeline.texton(), before);
         QVERIFY(studio.pipeline.isStale(Picture::Texton));
@@ -178,24 +178,24 @@ class TestPipeline : public QObject {
         QCOMPARE(studio.pipeline.texton(), before);
         // And on again, from the start.
         studio.document.change("Iterations", [](Project& p) { p.texton.iterations = 10; });
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         QCOMPARE(studio.pipeline.texton()->iteration, 10);
         const auto first = studio.pipeline.texton();
         studio.pipeline.recomputeTexton();
-        QTRY_VERIFY(studio.isDone() && studio.pipeline.texton() != first);
+        TXN_COMES_TRUE(studio.isDone() && studio.pipeline.texton() != first);
         QVERIFY(studio.pipeline.texton()->texton == first->texton);
     }
 
     void contrastAndBrightnessNeedNoSolver() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto texton = studio.pipeline.texton();
         studio.document.change("Contrast", [](Project& p) {
             p.noise.contrast = 0.5;
             p.noise.brightness = 0.1;
         });
-        QTRY_VERIFY(*studio.pipeline.noiseTexton() != texton->texton);
+        TXN_COMES_TRUE(*studio.pipeline.noiseTexton() != texton->texton);
         QCOMPARE(studio.pipeline.texton(), texton);
         const Texton& noise = *studio.pipeline.noiseTexton();
         TXN_AT_MOST(std::abs(noise.mean[0] - texton->texton.mean[0] - 0.1), 1e-12);
@@ -208,40 +208,40 @@ class TestPipeline : public QObject {
         Studio studio;
         QSignalSpy failed(&studio.pipeline, &Pipeline::failed);
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         const auto before = studio.pipeline.texton();
         studio.document.change("Support", [](Project& p) { p.texton.support = {500, 500}; });
-        QTRY_COMPARE(failed.count(), 1);
+        TXN_BECOMES(failed.count(), 1);
         QVERIFY(failed.first().first().toString().contains("support"));
         QVERIFY(failed.first().first().toString().contains("rust.png"));
         QCOMPARE(studio.pipeline.texton(), before);
         QVERIFY(studio.pipeline.isStale(Picture::Texton));
         studio.document.undoStack().undo();
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         QCOMPARE(studio.pipeline.texton(), before);
     }
 
     void spectraAreMeasuredOnlyWhenSomebodyLooks() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         QVERIFY(!studio.pipeline.analysis());
         studio.pipeline.setAnalysisWanted(true);
-        QTRY_VERIFY(studio.pipeline.analysis() != nullptr);
+        TXN_COMES_TRUE(studio.pipeline.analysis() != nullptr);
         QCOMPARE(studio.pipeline.analysis()->exemplar.histograms.size(), std::size_t{3});
     }
 
     void meshesAreLoadedWhenShown() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         QVERIFY(!studio.pipeline.mesh());
         studio.document.change("View", [](Project& p) { p.noise.scene = NoiseScene::Surface; });
-        QTRY_VERIFY(studio.pipeline.mesh() != nullptr);
+        TXN_COMES_TRUE(studio.pipeline.mesh() != nullptr);
         const auto sphere = studio.pipeline.mesh();
         QSignalSpy failed(&studio.pipeline, &Pipeline::failed);
         studio.document.change("Mesh", [](Project& p) { p.noise.mesh = "/nowhere/pot.obj"; });
-        QTRY_COMPARE(failed.count(), 1);
+        TXN_BECOMES(failed.count(), 1);
         QVERIFY(failed.first().first().toString().contains("pot.obj"));
         QCOMPARE(studio.pipeline.mesh(), sphere);
     }
@@ -249,9 +249,9 @@ class TestPipeline : public QObject {
     void closingEmptiesEverything() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         studio.document.reset({}, {}, {});
-        QTRY_VERIFY(!studio.pipeline.texton());
+        TXN_COMES_TRUE(!studio.pipeline.texton());
         QVERIFY(!studio.pipeline.exemplar() && !studio.pipeline.gaussian() &&
                 !studio.pipeline.noiseTexton() && !studio.pipeline.verdict());
         QVERIFY(!studio.pipeline.isStale(Picture::Noise));
@@ -260,18 +260,18 @@ class TestPipeline : public QObject {
     void aTextonFromAFileTakesThePlaceOfThePicture() {
         Studio studio;
         studio.open(m_rust);
-        QTRY_VERIFY(studio.isDone());
+        TXN_COMES_TRUE(studio.isDone());
         auto asset = std::make_shared<TextonAsset>();
         asset->texton = studio.pipeline.texton()->texton;
         studio.document.change("Open", [&](Project& p) {
             p.source.reset();
             p.importedTexton = asset;
         });
-        QTRY_VERIFY(studio.pipeline.texton() && studio.pipeline.texton()->imported);
+        TXN_COMES_TRUE(studio.pipeline.texton() && studio.pipeline.texton()->imported);
         QVERIFY(!studio.pipeline.exemplar());
         QVERIFY(*studio.pipeline.noiseTexton() == asset->texton);
         studio.document.undoStack().undo();
-        QTRY_VERIFY(studio.isDone() && !studio.pipeline.texton()->imported);
+        TXN_COMES_TRUE(studio.isDone() && !studio.pipeline.texton()->imported);
         QVERIFY(studio.pipeline.exemplar() != nullptr);
     }
 };

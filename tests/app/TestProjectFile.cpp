@@ -397,13 +397,13 @@ class TestProjectFile : public QObject {
         {
             Autosave autosave(document, runner, recovery.path(), 5);
             document.change("Support", [](Project& p) { p.texton.support = {48, 48}; });
-            QTRY_VERIFY(QFileInfo(autosave.file()).size() > 0);
+            TXN_COMES_TRUE(QFileInfo(autosave.file()).size() > 0);
             document.undoStack().undo();
-            QTRY_VERIFY(!QFileInfo::exists(autosave.file()));
+            TXN_COMES_TRUE(!QFileInfo::exists(autosave.file()));
             document.undoStack().redo();
-            QTRY_VERIFY(QFileInfo(autosave.file()).size() > 0);
+            TXN_COMES_TRUE(QFileInfo(autosave.file()).size() > 0);
             document.setSaved("/somewhere/a.txnproj");
-            QTRY_VERIFY(!QFileInfo::exists(autosave.file()));
+            TXN_COMES_TRUE(!QFileInfo::exists(autosave.file()));
         }
         QVERIFY(QDir(recovery.path()).entryList({"*.recovery"}).isEmpty());
     }

@@ -157,7 +157,7 @@ class TestRecovery : public QObject {
         QTemporaryDir home;
         runAndKill(home.path(), 0.75, afterMs);
         Next next(home.path());
-        QTRY_VERIFY(next.dialog() != nullptr);
+        TXN_COMES_TRUE(next.dialog() != nullptr);
         // What would come back is seen before it is chosen.
         QVERIFY(next.dialog()
                     ->findChild<QListWidget*>("recoveryList")
@@ -169,7 +169,7 @@ class TestRecovery : public QObject {
             picture = picture || label->pixmap().width() >= 150;
         QVERIFY(picture);
         next.dialog()->findChild<QPushButton*>("recoveryRecover")->click();
-        QTRY_COMPARE(next.studio.document().project().noise.contrast, 0.75);
+        TXN_BECOMES(next.studio.document().project().noise.contrast, 0.75);
         QCOMPARE(*next.studio.document().project().edit.crop, (Rect{10, 20, {300, 200}}));
         const MixSettings& mix = next.studio.document().project().mix;
         QVERIFY(mix.source && mix.source->sample() == "cloth");
@@ -190,15 +190,15 @@ class TestRecovery : public QObject {
         runAndKill(home.path(), 0.5, 0);
         for (int i = 0; i < 2; ++i) {
             Next next(home.path());
-            QTRY_VERIFY(next.dialog() != nullptr);
+            TXN_COMES_TRUE(next.dialog() != nullptr);
             next.dialog()->findChild<QPushButton*>("recoveryLater")->click();
-            QTRY_VERIFY(next.studio.document().project().source != nullptr);
+            TXN_COMES_TRUE(next.studio.document().project().source != nullptr);
             QCOMPARE(next.studio.document().project().source->sample(), "rust");
         }
         Next next(home.path());
-        QTRY_VERIFY(next.dialog() != nullptr);
+        TXN_COMES_TRUE(next.dialog() != nullptr);
         next.dialog()->findChild<QPushButton*>("recoveryDiscard")->click();
-        QTRY_VERIFY(next.dialog() == nullptr || !next.dialog()->isVisible());
+        TXN_COMES_TRUE(next.dialog() == nullptr || !next.dialog()->isVisible());
         QVERIFY(!mayBeRecoverable(home.filePath("recovery")));
     }
 
@@ -240,9 +240,9 @@ class TestRecovery : public QObject {
         QCOMPARE(QFileInfo(copies.front().file).fileName(), older);
         QVERIFY(folder.exists(newer)); // perhaps somebody can make something of it
         Next next(home.path());
-        QTRY_VERIFY(next.dialog() != nullptr);
+        TXN_COMES_TRUE(next.dialog() != nullptr);
         next.dialog()->findChild<QPushButton*>("recoveryRecover")->click();
-        QTRY_COMPARE(next.studio.document().project().noise.contrast, 0.5);
+        TXN_BECOMES(next.studio.document().project().noise.contrast, 0.5);
     }
 
     void copiesThatAreCutOffArePassedOver() {

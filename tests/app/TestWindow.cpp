@@ -172,7 +172,7 @@ class TestWindow : public QObject {
             write(path, bytes);
         studio.window().files().open(path);
         auto* message = studio.find<QLabel>("messageText");
-        QTRY_VERIFY(!message->text().isEmpty());
+        TXN_COMES_TRUE(!message->text().isEmpty());
         QVERIFY2(message->text().contains(QFileInfo(path).fileName()), qPrintable(message->text()));
         QVERIFY(!message->text().contains('\n'));
         QVERIFY(studio.project() == before);
@@ -196,7 +196,7 @@ class TestWindow : public QObject {
         QVERIFY(saveProject(studio.project(), {}, file));
         studio.window().files().open(file);
         studio.document().change("Contrast", [](Project& p) { p.noise.contrast = 1.5; });
-        QTRY_VERIFY(studio.find<QMessageBox>("saveQuestion") != nullptr);
+        TXN_COMES_TRUE(studio.find<QMessageBox>("saveQuestion") != nullptr);
         studio.find<QMessageBox>("saveQuestion")->button(QMessageBox::Cancel)->click();
         QCOMPARE(studio.project().noise.contrast, 1.5);
     }
@@ -212,7 +212,7 @@ class TestWindow : public QObject {
         QVERIFY(saveProject(studio.project(), view, file));
         QVERIFY(studio.openSmall());
         studio.window().files().open(file);
-        QTRY_VERIFY(studio.document().filePath() == file);
+        TXN_COMES_TRUE(studio.document().filePath() == file);
         QVERIFY(studio.settle());
         QCOMPARE(studio.document().view().zoom, 3.0);
         QCOMPARE(studio.document().view().centerX, 33.0);
@@ -317,7 +317,7 @@ class TestWindow : public QObject {
         QVERIFY(second.document().filePath().isEmpty());
         QVERIFY(second.find<QLabel>("messageText")->text().contains("shared.txnproj"));
         second.trigger("file.save");
-        QTRY_VERIFY(second.find<QFileDialog>("saveDialog") != nullptr);
+        TXN_COMES_TRUE(second.find<QFileDialog>("saveDialog") != nullptr);
         auto* dialog = second.find<QFileDialog>("saveDialog");
         emit dialog->fileSelected(path);
         QVERIFY(second.settle());
@@ -396,7 +396,7 @@ class TestWindow : public QObject {
         const auto first = studio.project().source;
         const std::weak_ptr<const LoadedImage> pixels = *first->picture();
         QVERIFY(studio.openSmall());
-        QTRY_VERIFY(pixels.expired());
+        TXN_COMES_TRUE(pixels.expired());
         QVERIFY(first->picture()); // drawn again, for whoever asks
         studio.document().undoStack().undo();
         QVERIFY(studio.settle());
@@ -475,19 +475,19 @@ class TestWindow : public QObject {
         QVERIFY(saveProject(project, {}, path));
 
         studio.window().files().open(path);
-        QTRY_VERIFY(studio.find<QMessageBox>("outsideQuestion") != nullptr);
+        TXN_COMES_TRUE(studio.find<QMessageBox>("outsideQuestion") != nullptr);
         QVERIFY(studio.find<QMessageBox>("outsideQuestion")->informativeText().contains(photo));
         studio.find<QMessageBox>("outsideQuestion")->button(QMessageBox::Cancel)->click();
-        QTRY_VERIFY(studio.find<QMessageBox>("outsideQuestion") == nullptr);
-        QTRY_VERIFY(studio->runner().isIdle());
+        TXN_COMES_TRUE(studio.find<QMessageBox>("outsideQuestion") == nullptr);
+        TXN_COMES_TRUE(studio->runner().isIdle());
         QVERIFY(studio.project().source == nullptr);
 
         studio.window().files().open(path);
-        QTRY_VERIFY(studio.find<QMessageBox>("outsideQuestion") != nullptr);
+        TXN_COMES_TRUE(studio.find<QMessageBox>("outsideQuestion") != nullptr);
         studio.find<QMessageBox>("outsideQuestion")->button(QMessageBox::Open)->click();
-        QTRY_VERIFY(studio.project().source != nullptr);
+        TXN_COMES_TRUE(studio.project().source != nullptr);
         QCOMPARE(studio.project().source->name(), QStringLiteral("photo.png"));
-        QTRY_VERIFY(studio->runner().isIdle());
+        TXN_COMES_TRUE(studio->runner().isIdle());
     }
 };
 

@@ -3,6 +3,20 @@
 
 #include <QtTest>
 
+namespace txn::test {
+
+/// For what surely comes, also on a machine that is busy with other things.
+inline constexpr int kPatienceMs = 60000;
+
+} // namespace txn::test
+
+/// Fails unless the condition comes true.
+#define TXN_COMES_TRUE(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, txn::test::kPatienceMs)
+
+/// Fails unless the two become equal.
+#define TXN_BECOMES(value, expected)                                                               \
+    QTRY_COMPARE_WITH_TIMEOUT(value, expected, txn::test::kPatienceMs)
+
 /// Fails unless value <= limit, also for NaN, and says both numbers. Define TXN_SHOW_ERRORS to see
 /// how close the passing ones are.
 #define TXN_AT_MOST(value, limit)                                                                  \
