@@ -12,17 +12,39 @@ endif()
 if(TXN_SANITIZE)
   target_compile_options(txn_options INTERFACE -fsanitize=address,undefined
                                                -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  # GCC warns of initialised variables once its sanitizers have rewritten the code around them.
-  target_compile_options(txn_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(txn_options INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(txn_options INTERFACE TXN_SANITIZED)
 endif()
-if(TXN_FUZZ)
-  target_compile_options(txn_options INTERFACE -fsanitize=fuzzer-no-link)
-endif()
 
-# txn_precompile(TARGET HEADERS...): headers that most files of the target include anyway. The release
-# build goes without, so that every file is seen to include what it uses.
+# txn_unity(TARGET): each folder of the target compiled as one file, where TXN_UNITY asks for it.
+function(txn_unity target)
+  if(NOT TXN_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^[A-Za-z].*cpp$") # not what is generated
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${target}_${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
+# txn_fuzzed(TARGET PATHS...): what of the target the fuzzers watch, in the build that has them.
+# The rest would only become slower.
+function(txn_fuzzed target)
+  if(NOT TXN_SANITIZE)
+    return()
+  endif()
+  list(JOIN ARGN "|" paths)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^(${paths}).*cpp$")
+  set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS
+    -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table)
+endfunction()
+
+# txn_precompile(TARGET HEADERS...): headers that most files of the target include anyway.
 function(txn_precompile target)
   if(TXN_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE ${ARGN})

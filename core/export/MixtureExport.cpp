@@ -20,7 +20,7 @@ constexpr const char* kMapFile = "map.png";
 constexpr const char* kDescriptionFile = "mixture.json";
 
 std::string twoDigits(std::size_t number) {
-    return (number < 10 ? "0" : "") + std::to_string(number);
+    return std::string(number < 10 ? 1 : 0, '0') + std::to_string(number);
 }
 
 std::string layerOf(std::size_t texton) {

@@ -19,7 +19,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::size_t kBlockBytes = std::size_t{1} << 24U;
+constexpr std::size_t kWrittenBlockBytes = std::size_t{1} << 24U;
 constexpr int kRowUnit = 32; // a strip of OpenImageIO's TIFF, two blocks of EXR's zip
 constexpr float kLargestHalf = 65504.0F;
 
@@ -91,7 +91,7 @@ std::vector<std::string> defaultChannelNames(int channels) {
     std::vector<std::string> names;
     names.reserve(static_cast<std::size_t>(channels));
     for (int c = 0; c < channels; ++c)
-        names.push_back((channels > 10 && c < 10 ? "0" : "") + std::to_string(c));
+        names.push_back(std::string(channels > 10 && c < 10 ? 1 : 0, '0') + std::to_string(c));
     return names;
 }
 
@@ -365,7 +365,8 @@ Result<ImageWriter> ImageWriter::open(const Path& path,
             return opened.error();
         const std::size_t rowBytes = state->rowSamples() * sizeof(float);
         state->blockRows =
-            static_cast<int>(std::clamp<std::size_t>(kBlockBytes / rowBytes / kRowUnit, 1, 8)) *
+            static_cast<int>(
+                std::clamp<std::size_t>(kWrittenBlockBytes / rowBytes / kRowUnit, 1, 8)) *
             kRowUnit;
         state->blockRows = std::min(state->blockRows, layout.size.height);
         state->held.resize(static_cast<std::size_t>(state->blockRows) * state->rowSamples());

@@ -231,7 +231,7 @@ class TestMesh : public QObject {
                         corner[(axis + 2) % 3] = p.y;
                         std::string line;
                         for (int c = 0; c < 3; ++c)
-                            line += " " + std::to_string(corner[c]);
+                            line.append(1, ' ').append(std::to_string(corner[c]));
                         obj += "v" + line + "\n";
                         ply += line + "\n";
                     }
@@ -330,7 +330,7 @@ class TestMesh : public QObject {
             obj += "f";
             ply.add(std::uint16_t{3});
             for (const std::uint32_t v : t) {
-                obj += " " + std::to_string(v + 1);
+                obj.append(1, ' ').append(std::to_string(v + 1));
                 ply.add(v);
             }
             obj += "\n";
@@ -415,7 +415,7 @@ class TestMesh : public QObject {
         row("degenerate", "a.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 1 2\n");
         std::string polygon = kTriangle + "f";
         for (int k = 0; k < 5000; ++k)
-            polygon += " " + std::to_string(k % 3 + 1);
+            polygon.append(1, ' ').append(std::to_string(k % 3 + 1));
         row("huge polygon", "a.obj", polygon, ErrorCode::TooLarge);
 
         const std::string ascii = "ply\nformat ascii 1.0\n";
