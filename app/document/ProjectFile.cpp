@@ -237,34 +237,42 @@ QStringList filesOutside(const CborReader& root, const QString& folder) {
     return outside;
 }
 
-Result<std::shared_ptr<const Source>>
-readFile(const CborReader& reader, const QString& folder, QStringList& warnings) {
+/// Exemplars of a project in a folder.
+struct SourceReader {
+    const QString& folder;
+    const LoadOptions& pictures;
+    QStringList& warnings;
+
+    Result<std::shared_ptr<const Source>> file(const CborReader& reader) const;
+    Result<std::shared_ptr<const Source>> source(const CborReader& reader) const;
+};
+
+Result<std::shared_ptr<const Source>> SourceReader::file(const CborReader& reader) const {
     const QString name = reader.text("name");
     if (const QString sample = reader.text("sample"); !sample.isEmpty())
         return sampleSource(sample);
     if (const QByteArray bytes = reader.bytes("bytes"); !bytes.isEmpty())
-        return decodeSource(bytes, name.isEmpty() ? QStringLiteral("exemplar") : name);
+        return decodeSource(bytes, name.isEmpty() ? QStringLiteral("exemplar") : name, pictures);
     const QString link = reader.text("link");
     if (link.isEmpty() || QDir::isAbsolutePath(link))
         return Error{ErrorCode::Unreadable, "the exemplar is missing"};
-    auto source = openSource(linkedFile(folder, link));
+    auto source = openSource(linkedFile(folder, link), pictures);
     if (source && (*source)->hash() != reader.bytes("sha256"))
         warnings.append(
             Warnings::tr("%1 has changed since the project was saved.").arg((*source)->name()));
     return source;
 }
 
-Result<std::shared_ptr<const Source>>
-readSource(const CborReader& reader, const QString& folder, QStringList& warnings) {
+Result<std::shared_ptr<const Source>> SourceReader::source(const CborReader& reader) const {
     const QCborArray maps = reader.array("maps");
     if (maps.isEmpty())
-        return readFile(reader, folder, warnings);
+        return file(reader);
     if (maps.size() > kMaxExemplarChannels)
         return Error{ErrorCode::Unreadable, "damaged: there are too many maps"};
     std::vector<Source::Part> parts;
     for (const auto& value : maps) {
         CborReader map(value.toMap());
-        auto source = readFile(map, folder, warnings);
+        auto source = file(map);
         if (!source)
             return source.error();
         const auto kind =
@@ -277,9 +285,8 @@ readSource(const CborReader& reader, const QString& folder, QStringList& warning
     return stackSource(parts);
 }
 
-Result<void>
-readMix(CborReader reader, const QString& folder, MixSettings& mix, QStringList& warnings) {
-    auto source = readSource(reader.map("exemplar"), folder, warnings);
+Result<void> readMix(CborReader reader, const SourceReader& sources, MixSettings& mix) {
+    auto source = sources.source(reader.map("exemplar"));
     if (!source)
         return source.error();
     mix.source = std::move(*source);
@@ -316,7 +323,8 @@ QByteArray encodeProject(const Project& project,
     return QCborValue(QCborKnownTags::Signature, map).toCbor();
 }
 
-Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path, Links links) {
+Result<SavedProject>
+decodeProject(const QByteArray& bytes, const QString& path, const Trust& trust) {
     const auto damaged = [&](const std::string& reason) {
         return Error{ErrorCode::Unreadable, named(path) + ": " + reason};
     };
@@ -333,13 +341,14 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path,
 
     SavedProject saved;
     const QString folder = QFileInfo(path).absolutePath();
-    if (links == Links::Inside) {
+    if (!trust.outside) {
         saved.outside = filesOutside(root, folder);
         if (!saved.outside.isEmpty())
             return saved;
     }
+    const SourceReader sources{folder, trust.pictures, saved.warnings};
     if (root.has("exemplar")) {
-        auto source = readSource(root.map("exemplar"), folder, saved.warnings);
+        auto source = sources.source(root.map("exemplar"));
         if (!source)
             return Error{source.error().code, named(path) + ": " + source.error().message};
         saved.project.source = std::move(*source);
@@ -350,8 +359,7 @@ Result<SavedProject> decodeProject(const QByteArray& bytes, const QString& path,
         saved.project.importedTexton = std::make_shared<const TextonAsset>(std::move(*asset));
     }
     if (saved.project.source && root.has("mix")) {
-        if (const auto ok = readMix(root.map("mix"), folder, saved.project.mix, saved.warnings);
-            !ok)
+        if (const auto ok = readMix(root.map("mix"), sources, saved.project.mix); !ok)
             return Error{ok.error().code, named(path) + ": " + ok.error().message};
     }
     saved.project.linked = root.flag("linked", false);
@@ -397,13 +405,13 @@ Result<void> saveProject(const Project& project,
     return {};
 }
 
-Result<SavedProject> openProject(const QString& path, Links links) {
+Result<SavedProject> openProject(const QString& path, const Trust& trust) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return Error{file.exists() ? ErrorCode::Unreadable : ErrorCode::NotFound,
                      named(path) + " cannot be read: " + file.errorString().toStdString() +
                          "; please open another copy of it"};
-    return decodeProject(file.readAll(), path, links);
+    return decodeProject(file.readAll(), path, trust);
 }
 
 } // namespace txn::app

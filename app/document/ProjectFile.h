@@ -16,8 +16,13 @@ struct SavedProject {
     QStringList outside;
 };
 
-/// Projects come from anybody. Files outside their folder are opened only when the user agrees.
-enum class Links { Inside, Anywhere };
+/// Projects come from anybody. What else they want is opened only when the user agrees.
+struct Trust {
+    bool outside = false; ///< files outside the project's folder
+    LoadOptions pictures; ///< how large pictures may be
+
+    static constexpr Trust full() { return {true, LoadOptions::insisted()}; }
+};
 
 /// Whether the exemplar's bytes go into the project or only its path and content hash.
 enum class ExemplarStorage { Embedded, Linked };
@@ -33,9 +38,10 @@ enum class ExemplarStorage { Embedded, Linked };
                                        const QString& projectFolder,
                                        const QByteArray& thumbnail = {});
 /// Errors: Unreadable for what is damaged or of a later version, NotFound for a linked exemplar
-/// that has gone; the message names the file.
+/// that has gone, OverBudget for an exemplar that is larger than trust allows; the message names
+/// the file.
 [[nodiscard]] Result<SavedProject>
-decodeProject(const QByteArray& bytes, const QString& path, Links links = Links::Inside);
+decodeProject(const QByteArray& bytes, const QString& path, const Trust& trust = {});
 
 /// The old file or the new one, whole, whatever happens. Errors: Unwritable, naming the file.
 [[nodiscard]] Result<void> writeWhole(const QString& path, const QByteArray& bytes);
@@ -46,6 +52,6 @@ decodeProject(const QByteArray& bytes, const QString& path, Links links = Links:
                                        const ViewState& view,
                                        const QString& path,
                                        const QByteArray& thumbnail = {});
-[[nodiscard]] Result<SavedProject> openProject(const QString& path, Links links = Links::Inside);
+[[nodiscard]] Result<SavedProject> openProject(const QString& path, const Trust& trust = {});
 
 } // namespace txn::app

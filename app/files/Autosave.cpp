@@ -162,7 +162,7 @@ std::vector<RecoveredProject> findRecoverable(const QString& folder) {
 Result<SavedProject> readRecovered(const RecoveredProject& copy) {
     return decodeProject(readWrapper(copy.file).value(QStringLiteral("project")).toByteArray(),
                          copy.file,
-                         Links::Anywhere); // what this program wrote itself
+                         Trust::full()); // what this program wrote itself
 }
 
 void discard(const RecoveredProject& copy) {

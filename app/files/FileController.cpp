@@ -69,7 +69,7 @@ void FileController::remember(const QString& path) {
 
 void FileController::open(const QString& path) {
     if (path.endsWith(kProjectEnding, Qt::CaseInsensitive)) {
-        whenSafe([this, path] { openProjectFile(path); });
+        whenSafe([this, path] { openProjectFile(path, {.pictures = usual()}); });
         return;
     }
     openPictureOrTexton(path, usual());
@@ -182,12 +182,18 @@ void FileController::openPictureOrTexton(const QString& path, const LoadOptions&
                     });
 }
 
-void FileController::openProjectFile(const QString& path, Links links) {
+void FileController::openProjectFile(const QString& path, const Trust& trust) {
     m_runner.submit(JobKind::Open,
                     tr("Opening %1").arg(QFileInfo(path).fileName()),
-                    [this, path, links, before = m_document.project()](JobContext&) -> Delivery {
-                        auto saved = openProject(path, links);
-                        return [this, saved = std::move(saved), path, before] {
+                    [this, path, trust, before = m_document.project()](JobContext&) -> Delivery {
+                        auto saved = openProject(path, trust);
+                        return [this, saved = std::move(saved), path, trust, before] {
+                            if (!saved && saved.error().code == ErrorCode::OverBudget) {
+                                askForMore(saved.error(), [this, path, trust] {
+                                    openProjectFile(path, {trust.outside, LoadOptions::insisted()});
+                                });
+                                return;
+                            }
                             if (!saved) {
                                 tell(saved.error());
                                 m_settings.removeRecentFile(path);
@@ -195,7 +201,7 @@ void FileController::openProjectFile(const QString& path, Links links) {
                                 return;
                             }
                             if (!saved->outside.isEmpty()) {
-                                askForOutside(path, saved->outside);
+                                askForOutside(path, saved->outside, trust);
                                 return;
                             }
                             const auto show = [this, saved = *saved, path] {
@@ -211,7 +217,9 @@ void FileController::openProjectFile(const QString& path, Links links) {
                     });
 }
 
-void FileController::askForOutside(const QString& path, const QStringList& files) {
+void FileController::askForOutside(const QString& path,
+                                   const QStringList& files,
+                                   const Trust& trust) {
     auto* box = new QMessageBox(QMessageBox::Question,
                                 tr("Files outside the project's folder"),
                                 tr("%1 wants to open files outside its own folder. Do that only if "
@@ -224,9 +232,9 @@ void FileController::askForOutside(const QString& path, const QStringList& files
     box->setTextFormat(Qt::PlainText);
     box->setInformativeText(files.join(QLatin1Char('\n')));
     box->setDefaultButton(QMessageBox::Cancel);
-    connect(box, &QMessageBox::finished, this, [this, path](int answer) {
+    connect(box, &QMessageBox::finished, this, [this, path, trust](int answer) {
         if (answer == QMessageBox::Open)
-            openProjectFile(path, Links::Anywhere);
+            openProjectFile(path, {true, trust.pictures});
     });
     box->open();
 }

@@ -79,9 +79,9 @@ class FileController : public QObject {
                     const std::function<void(const QStringList&)>& open);
     void showSecond(const std::shared_ptr<const Source>& source);
     void openPictureOrTexton(const QString& path, const LoadOptions& options);
-    void openProjectFile(const QString& path, Links links = Links::Inside);
+    void openProjectFile(const QString& path, const Trust& trust);
     /// Whether a project may open files that lie outside its folder; then opens it again.
-    void askForOutside(const QString& path, const QStringList& files);
+    void askForOutside(const QString& path, const QStringList& files, const Trust& trust);
     void show(const Opened& opened, const QString& name);
     /// As a copy without a file of its own where another program has it open.
     void showProject(const SavedProject& saved, const QString& path);

@@ -182,34 +182,72 @@ class TestAppStory : public QObject {
     void veryLargePicturesAreAskedAbout() {
         Studio studio;
         QVERIFY(studio.openSmall());
-        QSettings(studio.path("settings.ini"), QSettings::IniFormat)
-            .setValue("open/pictureBudget", 320 * 240 * 3 - 1);
+        limitPictures(studio);
         const QString photo = writePhoto(studio.path("beach.png"));
-        const auto answer = [&](bool openIt) {
-            TXN_COMES_TRUE(studio.find<QMessageBox>("largePictureQuestion") != nullptr);
-            auto* question = studio.find<QMessageBox>("largePictureQuestion");
-            QVERIFY(question->text().contains("beach.png"));
-            for (QAbstractButton* button : question->buttons()) {
-                if ((question->buttonRole(button) == QMessageBox::AcceptRole) == openIt) {
-                    button->click();
-                    break;
-                }
-            }
-            TXN_COMES_TRUE(studio.find<QMessageBox>("largePictureQuestion") == nullptr);
-            QVERIFY(studio.settle());
-        };
         studio.window().files().open(photo);
-        answer(false);
+        answerLargePicture(studio, false);
         QCOMPARE(studio.project().source->sample(), "rust");
         studio.window().files().open(photo);
-        answer(true);
+        answerLargePicture(studio, true);
         QCOMPARE(studio.project().source->name(), "beach.png");
         studio.window().files().openSecond({photo});
-        answer(true);
+        answerLargePicture(studio, true);
         QCOMPARE(studio.project().mix.source->name(), "beach.png");
     }
 
+    /// Also those inside of projects, first or second.
+    void veryLargePicturesOfProjectsAreAskedAbout_data() {
+        QTest::addColumn<bool>("second");
+        QTest::newRow("the exemplar") << false;
+        QTest::newRow("what it is mixed with") << true;
+    }
+    void veryLargePicturesOfProjectsAreAskedAbout() {
+        QFETCH(bool, second);
+        Studio studio;
+        QVERIFY(studio.openSmall());
+        const auto photo = openSource(writePhoto(studio.path("beach.png")));
+        TXN_OK(photo);
+        Project project = studio.project();
+        (second ? project.mix.source : project.source) = *photo;
+        const QString path = studio.path("beach.txnproj");
+        TXN_OK(saveProject(project, {}, path));
+        limitPictures(studio);
+        studio.window().files().newProject();
+        if (auto* unsaved = studio.find<QMessageBox>("saveQuestion"))
+            unsaved->button(QMessageBox::Discard)->click();
+        TXN_COMES_TRUE(studio.project().source == nullptr);
+        studio.window().files().open(path);
+        answerLargePicture(studio, false);
+        QVERIFY(studio.project().source == nullptr);
+        studio.window().files().open(path);
+        answerLargePicture(studio, true);
+        QVERIFY(studio.project().source != nullptr);
+        QCOMPARE((second ? studio.project().mix.source : studio.project().source)->name(),
+                 "beach.png");
+        QCOMPARE(studio.document().filePath(), path);
+    }
+
   private:
+    /// To less than writePhoto() makes.
+    void limitPictures(const Studio& studio) {
+        QSettings(studio.path("settings.ini"), QSettings::IniFormat)
+            .setValue("open/pictureBudget", 320 * 240 * 3 - 1);
+    }
+
+    void answerLargePicture(Studio& studio, bool openIt) {
+        TXN_COMES_TRUE(studio.find<QMessageBox>("largePictureQuestion") != nullptr);
+        auto* question = studio.find<QMessageBox>("largePictureQuestion");
+        QVERIFY(question->text().contains("beach.png"));
+        for (QAbstractButton* button : question->buttons()) {
+            if ((question->buttonRole(button) == QMessageBox::AcceptRole) == openIt) {
+                button->click();
+                break;
+            }
+        }
+        TXN_COMES_TRUE(studio.find<QMessageBox>("largePictureQuestion") == nullptr);
+        QVERIFY(studio.settle());
+    }
+
     void lookAround(Studio& studio) {
         PictureView* view = studio.window().views().views()[3];
         QCOMPARE(view->picture(), Picture::Noise);

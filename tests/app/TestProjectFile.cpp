@@ -243,7 +243,7 @@ class TestProjectFile : public QObject {
         TXN_OK(asked);
         QCOMPARE(asked->outside.size(), 1);
         QVERIFY(asked->project.source == nullptr);
-        const auto allowed = openProject(path, Links::Anywhere);
+        const auto allowed = openProject(path, Trust{.outside = true, .pictures = {}});
         TXN_OK(allowed);
         QVERIFY(allowed->outside.isEmpty());
         QVERIFY(allowed->project.source != nullptr);
@@ -266,7 +266,7 @@ class TestProjectFile : public QObject {
         const auto asked = openProject(path);
         TXN_OK(asked);
         QCOMPARE(asked->outside, (QStringList{whole.filePath("m.obj"), whole.filePath("p.png")}));
-        const auto allowed = openProject(path, Links::Anywhere);
+        const auto allowed = openProject(path, Trust{.outside = true, .pictures = {}});
         TXN_OK(allowed);
         QCOMPARE(allowed->project.noise.mesh, whole.filePath("m.obj"));
     }
@@ -282,11 +282,12 @@ class TestProjectFile : public QObject {
         QCborMap linked = head;
         linked[QStringLiteral("exemplar")] = QCborMap{{QStringLiteral("link"), picture}};
         const QString path = m_folder.filePath("a.txnproj");
-        TXN_FAILS_WITH(decodeProject(QCborValue(linked).toCbor(), path, Links::Anywhere),
+        TXN_FAILS_WITH(decodeProject(QCborValue(linked).toCbor(), path, Trust{.outside = true, .pictures = {}}),
                        ErrorCode::Unreadable);
         QCborMap meshed = head;
         meshed[QStringLiteral("noise")] = QCborMap{{QStringLiteral("mesh"), mesh.fileName()}};
-        const auto opened = decodeProject(QCborValue(meshed).toCbor(), path, Links::Anywhere);
+        const auto opened =
+            decodeProject(QCborValue(meshed).toCbor(), path, Trust{.outside = true, .pictures = {}});
         TXN_OK(opened);
         QCOMPARE(opened->project.noise.mesh, NoiseSettings{}.mesh);
         QCOMPARE(opened->warnings.size(), 1);
