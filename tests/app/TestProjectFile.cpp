@@ -179,10 +179,10 @@ class TestProjectFile : public QObject {
         TXN_OK(saveProject(project, {}, path, thumbnail(project)));
         const QString small = m_folder.filePath("seen");
         QCOMPARE(
-            QProcess::execute(TXN_TEXTON_PROGRAM, {"thumbnail", path, "-o", small, "--size", "64"}),
+            QProcess::execute(TXN_TEXTON_PROGRAM, {"thumbnail", path, "-o", small, "--size", "16"}),
             0);
         const QImage picture(small, "PNG");
-        QCOMPARE(picture.size(), QSize(64, 32));
+        QCOMPARE(picture.size(), QSize(16, 8));
         TXN_OK(openProject(path));
     }
 
@@ -282,12 +282,15 @@ class TestProjectFile : public QObject {
         QCborMap linked = head;
         linked[QStringLiteral("exemplar")] = QCborMap{{QStringLiteral("link"), picture}};
         const QString path = m_folder.filePath("a.txnproj");
-        TXN_FAILS_WITH(decodeProject(QCborValue(linked).toCbor(), path, Trust{.outside = true, .pictures = {}}),
+        TXN_FAILS_WITH(decodeProject(QCborValue(linked).toCbor(),
+                                     path,
+                                     Trust{.outside = true, .pictures = {}}),
                        ErrorCode::Unreadable);
         QCborMap meshed = head;
         meshed[QStringLiteral("noise")] = QCborMap{{QStringLiteral("mesh"), mesh.fileName()}};
-        const auto opened =
-            decodeProject(QCborValue(meshed).toCbor(), path, Trust{.outside = true, .pictures = {}});
+        const auto opened = decodeProject(QCborValue(meshed).toCbor(),
+                                          path,
+                                          Trust{.outside = true, .pictures = {}});
         TXN_OK(opened);
         QCOMPARE(opened->project.noise.mesh, NoiseSettings{}.mesh);
         QCOMPARE(opened->warnings.size(), 1);
