@@ -92,7 +92,7 @@ std::optional<FilterChoice> parseFilter(const std::string& text) {
     return FilterChoice{Filter::None, static_cast<int>(side->front())};
 }
 
-/// RenderArguments that say nothing about the view asked for are mistakes.
+/// Options that say nothing about the view asked for are mistakes.
 Result<void> checkOptions(const RenderArguments& options) {
     const auto misplaced = [&](const std::string& name, const std::string& views) {
         return Error{ErrorCode::InvalidArgument,

@@ -17,6 +17,7 @@ if(TXN_SANITIZE)
 endif()
 
 # txn_unity(TARGET): each folder of the target compiled as one file, where TXN_UNITY asks for it.
+# Names of a folder's files are unique within it for that.
 function(txn_unity target)
   if(NOT TXN_UNITY)
     return()

@@ -15,7 +15,6 @@ namespace txn {
 namespace {
 
 constexpr int kMaxSide = 16384;
-constexpr double kLargestNumber = Exemplar::kLargestSample;
 
 Error brokenText(const std::string& reason) {
     return {ErrorCode::Unreadable, reason};
@@ -121,7 +120,7 @@ Result<TextonAsset> fromTextonFile(std::string_view text) {
     asset.texton.interpolationOrder = *order;
     for (int c = 0; c < 3; ++c) {
         const auto mean = reader.number<double>();
-        if (!mean || !(std::abs(*mean) <= kLargestNumber))
+        if (!mean || !(std::abs(*mean) <= Exemplar::kLargestSample))
             return brokenText("line " + std::to_string(reader.line()) +
                               " should hold the mean colour");
         asset.texton.mean.push_back(*mean);

@@ -209,17 +209,32 @@ class TestResponsiveness : public QObject {
                  QByteArray::number(watchdog.percentile(0.99)));
     }
 
-    /// How soon is told, not judged: machines differ. docs/BENCHMARKS.md has the figure.
-    void theFirstResultComesUnasked() {
+    /// How soon depends on the machine (docs/BENCHMARKS.md has the figure), so it is compared with
+    /// what cannot be saved, the same texton computed by the running program: starting, drawing the
+    /// sample and showing the noise add little to that.
+    void theFirstResultWaitsForNothingElse() {
         Studio studio; // waits until the window is active, which is not the program's time
+        const auto& pipeline = studio->pipeline();
         QElapsedTimer clock;
         clock.start();
         studio->start({});
         QVERIFY(waitFor([&] {
-            return studio->pipeline().texton() && studio->pipeline().texton()->finished &&
+            return pipeline.texton() && pipeline.texton()->finished &&
                    !studio.window().views().views()[3]->noiseFrame().image.isNull();
         }));
-        qInfo("first texton and noise after %lld ms", static_cast<long long>(clock.elapsed()));
+        const auto first = clock.elapsed();
+        QVERIFY(studio.settle());
+        const auto before = pipeline.texton();
+        clock.start();
+        studio.document().change("Seed", [](Project& p) { ++p.texton.seed.value; });
+        QVERIFY(waitFor([&] {
+            return pipeline.texton() && pipeline.texton() != before && pipeline.texton()->finished;
+        }));
+        const auto again = clock.elapsed();
+        qInfo("first texton and noise after %lld ms, the same texton again takes %lld ms",
+              static_cast<long long>(first),
+              static_cast<long long>(again));
+        QVERIFY(first <= 2 * again);
     }
 };
 

@@ -2,6 +2,7 @@
 #include "app/files/Autosave.h"
 #include "tests/faults/Victim.h"
 #include "tests/helpers/Tally.h"
+#include "tests/helpers/Verify.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -25,7 +26,6 @@ using namespace txn::test;
 namespace {
 
 constexpr int kMostCalls = 50;
-constexpr int kPatienceMs = 60000;
 
 using Content = std::map<QString, QByteArray>;
 using Variables = std::map<QString, QString>;

@@ -5,6 +5,7 @@
 #include "tests/faults/Shim.h"
 #include "tests/helpers/Tally.h"
 #include "tests/helpers/Textons.h"
+#include "tests/helpers/Verify.h"
 
 #include <QCoreApplication>
 #include <QtTest>
@@ -18,7 +19,6 @@ using namespace txn::test;
 namespace {
 
 constexpr std::size_t kLarge = 32 << 10; ///< smaller ones are not where memory ends
-constexpr int kPatienceMs = 60000;
 
 std::shared_ptr<const Source> sample(const char* name) {
     const auto source = sampleSource(QLatin1String(name));
