@@ -217,7 +217,7 @@ GpuTexton::create(const GlContext& context, std::span<const Texton> textons, boo
     const Texton& texton = textons.front(); // what they have in common can be read from it
     const auto layers = static_cast<int>(textons.size()) * texton.kernelCount();
     if (texton.channels() > 4)
-        return Error{ErrorCode::Unsupported,
+        return Error{ErrorCode::InvalidArgument,
                      "at most 4 channels can be drawn at a time, not " +
                          std::to_string(texton.channels())};
     if (layers > context.maxTextureLayers())

@@ -25,7 +25,7 @@ class GpuTexton {
 
     GpuTexton() = default;
 
-    /// textons: checked by checkMixedTextons, 1 to 4 channels. Errors: Unsupported for more;
+    /// textons: checked by checkMixedTextons, 1 to 4 channels. Errors: InvalidArgument for more;
     /// TooLarge for what the driver cannot hold.
     [[nodiscard]] static Result<GpuTexton>
     create(const GlContext& context, std::span<const Texton> textons, bool filtered);

@@ -341,7 +341,7 @@ Result<void> NoiseRenderer::draw(const GlContext& context,
             return Error{ErrorCode::InvalidArgument, "there is no mesh to draw on"};
         if (meshView->mapping == MeshView::Mapping::TextureCoordinates &&
             !m_mesh->hasTextureCoordinates)
-            return Error{ErrorCode::Unsupported,
+            return Error{ErrorCode::InvalidArgument,
                          "the mesh has no texture coordinates; please use surface noise"};
     }
     const FramebufferScope restore;

@@ -44,9 +44,9 @@ class NoiseRenderer {
 
     /// Draws the view over all of target. The caller's framebuffer and viewport are put back; other
     /// state is left as OpenGL starts with it.
-    /// Errors: InvalidArgument for values out of range, without a texton or a mesh, or while
-    /// another living context holds what was drawn with; Unsupported where the texton or the mesh
-    /// does not suit the view, or the driver refuses a shader; TooLarge.
+    /// Errors: InvalidArgument for values out of range, without a texton or a mesh that suits the
+    /// view, or while another living context holds what was drawn with; Unsupported for what the
+    /// driver cannot do, such as compiling a shader; TooLarge.
     /// part: only these pixels of the target change, y down; views that take long can be drawn
     /// piece by piece.
     [[nodiscard]] Result<void> draw(const GlContext& context,

@@ -65,6 +65,8 @@ void NoisePainter::loseContext() {
     // What lived in it is gone with it; the handles know.
     m_context.reset();
     m_target = {};
+    m_refused = {};
+    m_problem.clear();
     if (auto context = HeadlessContext::create()) {
         m_context = std::move(*context);
     } else {
@@ -86,6 +88,7 @@ void NoisePainter::show(const NoiseRequest& request) {
     m_mixture = request.mixture;
     m_maps = request.maps;
     m_map = request.map;
+    m_onCard = usesCard(request);
     m_mixingMap.reset(); // depends on how many textons there are
     m_reliefs.reset();
     m_drawnMap.reset();
@@ -93,7 +96,7 @@ void NoisePainter::show(const NoiseRequest& request) {
         m_mixture ? std::span<const Texton>(*m_mixture) : std::span(m_texton.get(), 1);
     const int channels = textons.front().channels();
     const bool isStack = channelCount(m_maps) == channels;
-    if (isStack && (m_map || !m_context)) // the processor does not shade: it shows the colors
+    if (isStack && (m_map || !m_onCard)) // the processor does not shade: it shows the colors
         m_drawnMap = m_map ? *m_map : findMap(m_maps, MapKind::Color).value_or(0);
     auto shown = std::make_shared<std::vector<Texton>>();
     auto reliefs = std::make_shared<std::vector<Texton>>();
@@ -130,28 +133,35 @@ Image NoisePainter::finished(Image drawn) const {
     return drawn;
 }
 
+bool NoisePainter::isShown(const NoiseRequest& request) const {
+    return request.texton == m_texton && request.mixture == m_mixture && request.maps == m_maps &&
+           request.map == m_map && usesCard(request) == m_onCard;
+}
+
+void NoisePainter::prepare(const NoiseRequest& request) {
+    if (!isShown(request))
+        show(request);
+    showMap(request.mixingMap);
+}
+
+void NoisePainter::rehearse(const NoiseRequest& request) {
+    if (!usesCard(request))
+        return;
+    prepare(request);
+    static_cast<void>(drawOnCard(request, scaled(request.size, 1.0), 1.0, [] { return false; }));
+}
+
 Result<std::optional<NoiseFrame>>
 NoisePainter::draw(const NoiseRequest& request, double scale, const std::function<bool()>& stop) {
     using Clock = std::chrono::steady_clock;
     // Uploading a texton or a mesh costs the same at any size, and must not count as cost per
     // pixel.
-    const bool same = request.texton == m_texton && request.mixture == m_mixture &&
-                      request.maps == m_maps && request.map == m_map;
-    const bool warm =
-        same && (!std::holds_alternative<MeshView>(request.view) || request.mesh == m_mesh);
-    if (!same)
-        show(request);
-    showMap(request.mixingMap);
+    const bool warm = isShown(request) &&
+                      (!std::holds_alternative<MeshView>(request.view) || request.mesh == m_mesh);
     const Size size = scaled(request.size, scale);
+    prepare(request);
     const auto start = Clock::now();
-    auto image = m_context ? drawOnCard(request, size, scale, stop)
-                           : drawOnProcessor(request, size, scale, stop);
-    if (m_context && m_context->isLost()) {
-        // The driver was reset: once more, in another context or on the processor.
-        loseContext();
-        image = m_context ? drawOnCard(request, size, scale, stop)
-                          : drawOnProcessor(request, size, scale, stop);
-    }
+    auto image = drawAnyway(request, size, scale, stop);
     if (!image)
         return image.error();
     if (!*image)
@@ -169,11 +179,35 @@ NoisePainter::draw(const NoiseRequest& request, double scale, const std::functio
     frame.clippedShare = shareOutside(**image);
     frame.samples = std::make_shared<const Image>(std::move(**image));
     frame.request = request;
-    frame.onProcessor = !m_context;
+    frame.onProcessor = !m_onCard;
     frame.milliseconds = nanoseconds / 1e6;
     frame.fetchesPerPixel =
         request.style.noise.meanImpacts * fetchesPerImpact(m_shown->front().interpolationOrder);
     return std::optional<NoiseFrame>(std::move(frame));
+}
+
+/// As drawOnCard, or by what stands in for it.
+Result<std::optional<Image>> NoisePainter::drawAnyway(const NoiseRequest& request,
+                                                      Size size,
+                                                      double scale,
+                                                      const std::function<bool()>& stop) {
+    if (m_onCard) {
+        auto image = drawOnCard(request, size, scale, stop);
+        if (m_context->isLost()) { // the driver was reset: once more, in another context
+            loseContext();
+            prepare(request);
+            if (m_onCard)
+                image = drawOnCard(request, size, scale, stop);
+        }
+        if (m_onCard && !image && image.error().code == ErrorCode::Unsupported) {
+            m_refused[request.view.index()] = true;
+            m_problem = image.error().message;
+            prepare(request);
+        }
+        if (m_onCard)
+            return image;
+    }
+    return drawOnProcessor(request, size, scale, stop);
 }
 
 Result<std::optional<Image>> NoisePainter::drawOnCard(const NoiseRequest& request,

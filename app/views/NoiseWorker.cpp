@@ -160,7 +160,10 @@ bool NoiseWorker::isOutdated(const Task& task) {
 
 void NoiseWorker::draw(const Task& task, NoisePainter& painter) {
     if (task.rehearsal) {
-        static_cast<void>(drawn(painter, task.request, 1.0, [] { return false; }));
+        try {
+            painter.rehearse(task.request);
+        } catch (const std::bad_alloc&) { // nobody waits for it
+        }
         return;
     }
     const double scale = task.coarse ? painter.scaleFor(task.request, kMovingMs) : 1.0;
@@ -194,7 +197,8 @@ void NoiseWorker::draw(const Task& task, NoisePainter& painter) {
 void NoiseWorker::run() {
     lowerThreadPriority(ThreadPriority::Drawing);
     NoisePainter painter;
-    m_callbacks.ready(painter.renderer(), painter.problem());
+    std::string problem = painter.problem();
+    m_callbacks.ready(painter.renderer(), problem);
     while (const auto task = next()) {
         const bool lose = [&] {
             const std::lock_guard lock(m_mutex);
@@ -206,6 +210,10 @@ void NoiseWorker::run() {
             m_compiled.clear();
         }
         draw(*task, painter);
+        if (painter.problem() != problem) {
+            problem = painter.problem();
+            m_callbacks.ready(painter.renderer(), problem);
+        }
     }
 }
 

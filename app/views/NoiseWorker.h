@@ -22,7 +22,8 @@ class NoiseWorker {
     struct Callbacks {
         std::function<void(quint64 client, NoiseFrame)> frame;
         std::function<void(quint64 client, std::string message)> failed;
-        /// The renderer's name, or why there is none.
+        /// The renderer's name, and why there is none or what it cannot do. First of all, and
+        /// again when that changes.
         std::function<void(std::string renderer, std::string problem)> ready;
     };
 

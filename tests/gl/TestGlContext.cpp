@@ -575,14 +575,15 @@ class TestGlContext : public QObject {
         TXN_OK(renderer.draw(gl(), MeshView{}, {}, *target));
         MeshView byUv;
         byUv.mapping = MeshView::Mapping::TextureCoordinates;
-        TXN_FAILS_WITH(renderer.draw(gl(), byUv, {}, *target), ErrorCode::Unsupported);
+        TXN_FAILS_WITH(renderer.draw(gl(), byUv, {}, *target), ErrorCode::InvalidArgument);
 
         for (const Filter filter : {Filter::None, Filter::Mipmap}) {
             NoiseStyle style;
             style.filter = filter;
             renderer.setTexton(shared(makeTexton({1, 1, {9, 7}, 5})));
             for (const View& view : {View{PlaneView{}}, View{GroundView{}}, View{MeshView{}}})
-                TXN_FAILS_WITH(renderer.draw(gl(), view, style, *target), ErrorCode::Unsupported);
+                TXN_FAILS_WITH(renderer.draw(gl(), view, style, *target),
+                               ErrorCode::InvalidArgument);
         }
         // After all that it still draws.
         renderer.setTexton(shared(makeTexton({})));
