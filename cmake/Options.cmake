@@ -10,10 +10,15 @@ if(TXN_WERROR)
   target_compile_options(txn_options INTERFACE -Werror)
 endif()
 if(TXN_SANITIZE)
-  target_compile_options(txn_options INTERFACE -fsanitize=address,undefined
-                                               -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(txn_options INTERFACE -fsanitize=address,undefined)
-  target_compile_definitions(txn_options INTERFACE TXN_SANITIZED)
+  if(TXN_SANITIZE STREQUAL address)
+    set(sanitizers address,undefined)
+  else()
+    set(sanitizers ${TXN_SANITIZE})
+  endif()
+  target_compile_options(txn_options INTERFACE -fsanitize=${sanitizers} -fno-sanitize-recover=all
+                                               -fno-omit-frame-pointer)
+  target_link_options(txn_options INTERFACE -fsanitize=${sanitizers})
+  target_compile_definitions(txn_options INTERFACE TXN_SANITIZED $<$<STREQUAL:${TXN_SANITIZE},thread>:TXN_THREAD_SANITIZED>)
 endif()
 
 # txn_unity(TARGET): each folder of the target compiled as one file, where TXN_UNITY asks for it.
@@ -35,7 +40,7 @@ endfunction()
 # txn_fuzzed(TARGET PATHS...): what of the target the fuzzers watch, in the build that has them.
 # The rest would only become slower.
 function(txn_fuzzed target)
-  if(NOT TXN_SANITIZE)
+  if(NOT TXN_SANITIZE STREQUAL address)
     return()
   endif()
   list(JOIN ARGN "|" paths)

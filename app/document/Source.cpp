@@ -5,7 +5,7 @@
 #include "core/material/MapStack.h"
 #include "core/samples/Samples.h"
 
-#include "app/memory/Background.h"
+#include "app/threads/Background.h"
 
 #include <QCryptographicHash>
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/ExemplarJob.h"
 
-#include "app/memory/Background.h"
+#include "app/threads/Background.h"
 #include "core/gaussian/ExemplarEdits.h"
 #include "core/image/ColorTransfer.h"
 #include "core/image/ImageGeometry.h"

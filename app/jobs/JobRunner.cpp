@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/JobRunner.h"
 
-#include "app/jobs/ThreadPriority.h"
-#include "app/jobs/WorkArena.h"
+#include "app/threads/HandOver.h"
+#include "app/threads/PoolWork.h"
+#include "app/threads/ThreadPriority.h"
+#include "app/threads/WorkArena.h"
 
-#include <QMetaObject>
-#include <QRunnable>
 #include <QThread>
 #include <algorithm>
 #include <atomic>
@@ -38,10 +38,7 @@ class JobRunner::Job final : public JobContext, public std::enable_shared_from_t
             if (onTheWay)
                 return;
         }
-        QMetaObject::invokeMethod(
-            &m_runner,
-            [self = shared_from_this()] { self->takeDelivery(); },
-            Qt::QueuedConnection);
+        m_runner.m_mailbox.post([self = shared_from_this()] { self->takeDelivery(); });
     }
 
     JobKind kind() const { return m_kind; }
@@ -99,6 +96,7 @@ JobRunner::~JobRunner() {
             each.running->cancel();
     }
     m_pool.waitForDone();
+    HandOver::take();
 }
 
 void JobRunner::submit(JobKind kind, const QString& title, Work work) {
@@ -116,19 +114,15 @@ void JobRunner::submit(JobKind kind, const QString& title, Work work) {
 void JobRunner::start(const std::shared_ptr<Job>& job) {
     slot(job->kind()).running = job;
     job->started();
-    m_pool.start(
-        [this, job] {
-            thread_local bool yielded = false;
-            if (!std::exchange(yielded, true))
-                lowerThreadPriority(ThreadPriority::Computing);
-            Delivery delivery;
-            runOnCores(workingCores(), [&] { delivery = guarded(*job); });
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, delivery = std::move(delivery)] { finished(job, delivery); },
-                Qt::QueuedConnection);
-        },
-        kJobKinds - static_cast<int>(job->kind()));
+    const auto work = [this, job] {
+        thread_local bool yielded = false;
+        if (!std::exchange(yielded, true))
+            lowerThreadPriority(ThreadPriority::Computing);
+        Delivery delivery;
+        runOnCores(workingCores(), [&] { delivery = guarded(*job); });
+        m_mailbox.post([this, job, delivery = std::move(delivery)] { finished(job, delivery); });
+    };
+    startOn(m_pool, work, kJobKinds - static_cast<int>(job->kind()));
 }
 
 QString JobRunner::outOfMemory() {

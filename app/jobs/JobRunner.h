@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/threads/Mailbox.h"
 #include "core/base/CancelToken.h"
 
 #include <QElapsedTimer>
@@ -108,6 +109,7 @@ class JobRunner : public QObject {
     const Slot& slot(JobKind kind) const { return m_slots[static_cast<std::size_t>(kind)]; }
 
     std::vector<Slot> m_slots;
+    Mailbox m_mailbox;
     QThreadPool m_pool;
 };
 

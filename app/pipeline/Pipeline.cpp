@@ -6,7 +6,7 @@
 #include "app/jobs/JudgementJob.h"
 #include "app/jobs/TextonJob.h"
 #include "app/look/Words.h"
-#include "app/memory/Background.h"
+#include "app/threads/Background.h"
 #include "core/mesh/BuiltinMeshes.h"
 #include "core/mesh/MeshIo.h"
 

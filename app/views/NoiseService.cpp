@@ -3,31 +3,26 @@
 
 #include "app/views/NoiseWorker.h"
 
-#include <QMetaObject>
-
 namespace txn::app {
 
 NoiseService::NoiseService(QObject* parent) : QObject(parent) {
-    const auto here = [this](auto&& call) {
-        QMetaObject::invokeMethod(this, std::forward<decltype(call)>(call), Qt::QueuedConnection);
-    };
     m_worker = std::make_unique<NoiseWorker>(NoiseWorker::Callbacks{
-        [this, here](quint64 client, NoiseFrame frame) {
-            here([this, client, frame = std::move(frame)]() mutable {
+        [this](quint64 client, NoiseFrame frame) {
+            m_mailbox.post([this, client, frame = std::move(frame)]() mutable {
                 if (const auto feed = m_feeds.find(client); feed != m_feeds.end())
                     feed->second->take(std::move(frame));
             });
         },
-        [this, here](quint64 client, const std::string& message) {
-            here([this, client, text = QString::fromStdString(message)] {
+        [this](quint64 client, const std::string& message) {
+            m_mailbox.post([this, client, text = QString::fromStdString(message)] {
                 if (const auto feed = m_feeds.find(client); feed != m_feeds.end())
                     emit feed->second->failed(text);
             });
         },
-        [this, here](const std::string& renderer, const std::string& problem) {
-            here([this,
-                  name = QString::fromStdString(renderer),
-                  reason = QString::fromStdString(problem)] {
+        [this](const std::string& renderer, const std::string& problem) {
+            m_mailbox.post([this,
+                            name = QString::fromStdString(renderer),
+                            reason = QString::fromStdString(problem)] {
                 m_renderer = name;
                 m_problem = reason;
                 emit ready();

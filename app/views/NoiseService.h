@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/threads/Mailbox.h"
 #include "app/views/NoiseFrame.h"
 
 #include <QObject>
@@ -44,6 +45,7 @@ class NoiseService : public QObject {
     QString m_problem;
     std::map<quint64, NoiseFeed*> m_feeds;
     quint64 m_lastFeed = 0;
+    Mailbox m_mailbox;
     std::unique_ptr<NoiseWorker> m_worker; ///< last: ends first
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/NoiseWorker.h"
 
-#include "app/jobs/ThreadPriority.h"
+#include "app/threads/ThreadPriority.h"
 #include "core/mesh/BuiltinMeshes.h"
 
 #include <new>

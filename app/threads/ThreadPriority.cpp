@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/jobs/ThreadPriority.h"
+#include "app/threads/ThreadPriority.h"
 
 #ifdef __linux__
 #include <sys/resource.h>

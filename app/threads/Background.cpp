@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/memory/Background.h"
+#include "app/threads/Background.h"
+
+#include "app/threads/PoolWork.h"
 
 #include <QCoreApplication>
 #include <QThreadPool>
@@ -11,7 +13,7 @@ void inBackground(std::function<void()> work) {
         work();
         return;
     }
-    QThreadPool::globalInstance()->start(std::move(work));
+    startOn(*QThreadPool::globalInstance(), std::move(work));
 }
 
 } // namespace txn::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/jobs/WorkArena.h"
+#include "app/threads/WorkArena.h"
 
 #include <tbb/task_arena.h>
 

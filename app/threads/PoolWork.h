@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+class QThreadPool;
+
+namespace txn::app {
+
+/// Work for a thread of the pool; higher priorities come first where threads are short.
+void startOn(QThreadPool& pool, std::function<void()> work, int priority = 0);
+
+} // namespace txn::app
