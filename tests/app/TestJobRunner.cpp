@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/JobRunner.h"
+#include "app/threads/Mailbox.h"
 #include "tests/helpers/Verify.h"
 
 #include <QSignalSpy>
@@ -182,6 +183,25 @@ class TestJobRunner : public QObject {
             TXN_COMES_TRUE(running >= 1);
         }
         QCOMPARE(running.load(), 0);
+    }
+
+    void lettersComeInOrderAndNotToThoseWhoLeft() {
+        auto mailbox = std::make_unique<Mailbox>();
+        std::vector<int> taken;
+        const auto post = [&](int from, int to) {
+            std::thread([&, from, to] {
+                for (int i = from; i < to; ++i)
+                    mailbox->post([&taken, i] { taken.push_back(i); });
+            }).join();
+        };
+        post(0, 100);
+        QVERIFY(taken.empty()); // never on the thread that posts
+        TXN_BECOMES(taken.size(), std::size_t{100});
+        QVERIFY(std::is_sorted(taken.begin(), taken.end()));
+        post(100, 200);
+        mailbox.reset();
+        QCoreApplication::processEvents();
+        QCOMPARE(taken.size(), std::size_t{100});
     }
 };
 

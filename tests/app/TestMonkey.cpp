@@ -406,7 +406,7 @@ class TestMonkey : public QObject {
             const QStringList said = Warnings::taken();
             QVERIFY2(said.isEmpty(),
                      (where + ": " + said.join(QStringLiteral("; ")).toUtf8()).constData());
-#ifndef __SANITIZE_ADDRESS__
+#ifndef TXN_SANITIZED
             QVERIFY2(took <= kPatientFor, where.constData());
 #endif
             QTest::qWait(static_cast<int>(mood() % 15));

@@ -74,7 +74,28 @@ class TestPanels : public QObject {
         QVERIFY(studio.openSmall());
     }
 
+    std::unique_ptr<Studio> m_opened;
+    bool m_openedStack = false;
+    int m_openedStep = 0;
+
+    /// One window for many rows, as it was after opening: to open one takes longer than a row.
+    Studio& opened(bool stack) {
+        if (!m_opened || m_openedStack != stack) {
+            m_opened = std::make_unique<Studio>();
+            m_openedStack = stack;
+            if (stack)
+                m_opened->openSmallStack();
+            else
+                openSmall(*m_opened);
+            m_openedStep = m_opened->document().undoStack().index();
+        }
+        m_opened->document().undoStack().setIndex(m_openedStep);
+        return *m_opened;
+    }
+
   private slots:
+    void cleanupTestCase() { m_opened.reset(); }
+
     void everyControlIsOneUndoableStep_data() {
         QTest::addColumn<QString>("name");
         for (const char* name : kControls)
@@ -84,11 +105,9 @@ class TestPanels : public QObject {
     }
     void everyControlIsOneUndoableStep() {
         QFETCH(QString, name);
-        Studio studio;
-        if (std::ranges::find(kStackControls, name.toStdString()) != kStackControls.end())
-            QVERIFY(studio.openSmallStack());
-        else
-            openSmall(studio);
+        Studio& studio =
+            opened(std::ranges::find(kStackControls, name.toStdString()) != kStackControls.end());
+        QVERIFY(studio.settle());
         if (name == "textonIterations" || name == "textonMomentum") {
             studio.document().change("Method", [](Project& p) {
                 p.texton.method = TextonMethod::Projections;

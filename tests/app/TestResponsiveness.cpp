@@ -78,7 +78,7 @@ class TestResponsiveness : public QObject {
 
   private slots:
     void initTestCase() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TXN_SANITIZED
         QSKIP("sanitizers make everything slow");
 #endif
         const auto image = makeSample("rust", {kSide, kSide}, Seed{3});

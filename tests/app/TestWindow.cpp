@@ -21,7 +21,7 @@ using namespace txn::test;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TXN_SANITIZED
 constexpr bool kSanitized = true;
 #else
 constexpr bool kSanitized = false;
