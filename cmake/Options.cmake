@@ -12,13 +12,16 @@ endif()
 if(TXN_SANITIZE)
   if(TXN_SANITIZE STREQUAL address)
     set(sanitizers address,undefined)
+  elseif(TXN_SANITIZE STREQUAL thread)
+    set(sanitizers thread)
+    target_compile_definitions(txn_options INTERFACE TXN_THREAD_SANITIZED)
   else()
-    set(sanitizers ${TXN_SANITIZE})
+    message(FATAL_ERROR "TXN_SANITIZE must be empty, address or thread, not ${TXN_SANITIZE}")
   endif()
   target_compile_options(txn_options INTERFACE -fsanitize=${sanitizers} -fno-sanitize-recover=all
                                                -fno-omit-frame-pointer)
   target_link_options(txn_options INTERFACE -fsanitize=${sanitizers})
-  target_compile_definitions(txn_options INTERFACE TXN_SANITIZED $<$<STREQUAL:${TXN_SANITIZE},thread>:TXN_THREAD_SANITIZED>)
+  target_compile_definitions(txn_options INTERFACE TXN_SANITIZED)
 endif()
 
 # txn_unity(TARGET): each folder of the target compiled as one file, where TXN_UNITY asks for it.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/JobRunner.h"
 
-#include "app/threads/HandOver.h"
 #include "app/threads/PoolWork.h"
 #include "app/threads/ThreadPriority.h"
 #include "app/threads/WorkArena.h"
@@ -95,8 +94,7 @@ JobRunner::~JobRunner() {
         if (each.running)
             each.running->cancel();
     }
-    m_pool.waitForDone();
-    HandOver::take();
+    waitFor(m_pool);
 }
 
 void JobRunner::submit(JobKind kind, const QString& title, Work work) {

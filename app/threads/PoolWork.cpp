@@ -6,6 +6,7 @@
 #include <QRunnable>
 #include <QThreadPool>
 #include <memory>
+#include <utility>
 
 namespace txn::app {
 namespace {
@@ -15,7 +16,8 @@ class PoolWork final : public QRunnable {
     explicit PoolWork(std::function<void()> work) : m_work(std::move(work)) {}
     void run() override {
         HandOver::take();
-        m_work();
+        std::exchange(m_work, nullptr)(); // and lets go of what it holds
+        HandOver::give();
     }
 
   private:
@@ -28,6 +30,11 @@ void startOn(QThreadPool& pool, std::function<void()> work, int priority) {
     auto owned = std::make_unique<PoolWork>(std::move(work));
     HandOver::give();
     pool.start(owned.release(), priority); // which deletes it
+}
+
+void waitFor(QThreadPool& pool) {
+    pool.waitForDone();
+    HandOver::take();
 }
 
 } // namespace txn::app

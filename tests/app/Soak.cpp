@@ -5,7 +5,6 @@
 // same moments, since machines have their moods. See docs/RELIABILITY.md.
 #include "app/panels/ExportDialog.h"
 #include "app/threads/ThreadPriority.h"
-#include "app/widgets/ValueSlider.h"
 #include "tests/app/Studio.h"
 
 #include <QChartView>
@@ -23,6 +22,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <thread>
 #include <unistd.h>
 
@@ -40,7 +40,8 @@ struct Round {
     double memoryMb = 0.0;
     double frameMs = 0.0;
     double fixedMs = 0.0;
-    double frameAgainstFixed = 0.0;
+
+    double frameAgainstFixed() const { return frameMs / fixedMs; }
 };
 
 /// Of the same computation every time, on all cores, at the priority at which frames are drawn.
@@ -129,7 +130,6 @@ class Worker {
                 return false;
             round.frameMs = std::min(round.frameMs, noiseView().noiseFrame().milliseconds);
         }
-        round.frameAgainstFixed = round.frameMs / round.fixedMs;
         return true;
     }
 
@@ -181,22 +181,22 @@ class Worker {
 };
 
 /// Of the rounds from one share of all to another.
-double median(const std::vector<Round>& rounds, double Round::*value, double from, double to) {
+double median(const std::vector<Round>& rounds, auto value, double from, double to) {
     std::vector<double> values;
     const auto count = static_cast<double>(rounds.size());
     for (auto i = static_cast<std::size_t>(from * count); i < static_cast<std::size_t>(to * count);
          ++i)
-        values.push_back(rounds[i].*value);
+        values.push_back(std::invoke(value, rounds[i]));
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
 }
 
-QImage drawn(const std::vector<Round>& rounds, double Round::*value, const QString& title) {
+QImage drawn(const std::vector<Round>& rounds, auto value, const QString& title) {
     auto* line = new QLineSeries;
     double highest = 0.0;
     for (const Round& each : rounds) {
-        line->append(each.minutes, each.*value);
-        highest = std::max(highest, each.*value);
+        line->append(each.minutes, std::invoke(value, each));
+        highest = std::max(highest, std::invoke(value, each));
     }
     QChart chart;
     chart.addSeries(line);
@@ -267,11 +267,15 @@ int main(int argc, char** argv) {
                      round.minutes,
                      round.memoryMb,
                      round.frameMs,
-                     round.frameAgainstFixed);
+                     round.frameAgainstFixed());
     }
     constexpr std::size_t kFewest = 10;
-    if (!good || rounds.size() < kFewest) {
+    if (!good) {
         std::fputs("something did not work or not finish in time\n", stderr);
+        return 1;
+    }
+    if (rounds.size() < kFewest) {
+        std::fprintf(stderr, "only %zu rounds; please take more seconds\n", rounds.size());
         return 1;
     }
     if (!draw(rounds, QString::fromLocal8Bit(argv[2]))) {

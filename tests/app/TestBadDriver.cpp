@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/NoiseService.h"
-#include "core/mesh/BuiltinMeshes.h"
 #include "gl/HeadlessContext.h"
+#include "tests/app/NoiseRequests.h"
 #include "tests/app/RefusedShaders.h"
 #include "tests/app/Studio.h"
 #include "tests/helpers/Gl.h"
-#include "tests/helpers/Textons.h"
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -27,17 +26,6 @@ constexpr const char* kInGround = "rayMiddle";
 class TestBadDriver : public QObject {
     Q_OBJECT
 
-    std::shared_ptr<const Texton> m_texton = shared(makeTexton({}));
-
-    NoiseRequest request(const View& view) const {
-        NoiseRequest request;
-        request.texton = m_texton;
-        request.mesh = std::make_shared<const TriangleMesh>(planeMesh(2));
-        request.view = view;
-        request.size = {90, 60};
-        return request;
-    }
-
   private slots:
     void initTestCase() {
         std::optional<HeadlessContext> context;
@@ -47,11 +35,10 @@ class TestBadDriver : public QObject {
     void theProcessorDrawsWhatTheDriverRefuses() {
         const RefusedShaders refused(kInAll);
         NoiseService service;
-        QSignalSpy ready(&service, &NoiseService::ready);
         NoiseFeed feed(service);
         QSignalSpy failed(&feed, &NoiseFeed::failed);
         for (const View& view : {View(PlaneView{}), View(GroundView{}), View(MeshView{})}) {
-            feed.request(request(view));
+            feed.request(smallRequest(view));
             TXN_COMES_TRUE(feed.frame().complete && feed.frame().request.view == view);
             QVERIFY(feed.frame().onProcessor);
             QVERIFY(feed.frame().image.pixel(10, 10) != feed.frame().image.pixel(50, 40));
@@ -61,7 +48,7 @@ class TestBadDriver : public QObject {
         QCOMPARE(failed.count(), 0);
         // Refused once, a kind of view is not tried again.
         const int tried = refused.count();
-        feed.request(request(PlaneView{5.0, 5.0, 1.0, 0.0}));
+        feed.request(smallRequest(PlaneView{5.0, 5.0, 1.0, 0.0}));
         TXN_COMES_TRUE(feed.isCurrent());
         QVERIFY(feed.frame().onProcessor);
         QCOMPARE(refused.count(), tried);

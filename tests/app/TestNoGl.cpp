@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/NoiseService.h"
-#include "core/mesh/BuiltinMeshes.h"
 #include "gl/HeadlessContext.h"
+#include "tests/app/NoiseRequests.h"
 #include "tests/app/Studio.h"
-#include "tests/helpers/Gl.h"
-#include "tests/helpers/Textons.h"
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -18,17 +16,6 @@ using namespace txn::test;
 class TestNoGl : public QObject {
     Q_OBJECT
 
-    std::shared_ptr<const Texton> m_texton = shared(makeTexton({}));
-
-    NoiseRequest request(const View& view) const {
-        NoiseRequest request;
-        request.texton = m_texton;
-        request.mesh = std::make_shared<const TriangleMesh>(planeMesh(2));
-        request.view = view;
-        request.size = {90, 60};
-        return request;
-    }
-
   private slots:
     void initTestCase() {
         qputenv("MESA_GL_VERSION_OVERRIDE", "2.1");
@@ -41,7 +28,7 @@ class TestNoGl : public QObject {
         QSignalSpy ready(&service, &NoiseService::ready);
         NoiseFeed feed(service);
         for (const View& view : {View(PlaneView{}), View(GroundView{}), View(MeshView{})}) {
-            feed.request(request(view));
+            feed.request(smallRequest(view));
             TXN_COMES_TRUE(feed.frame().complete && feed.frame().request.view == view);
             QVERIFY(feed.frame().onProcessor);
             QCOMPARE(feed.frame().image.size(), QSize(90, 60));
